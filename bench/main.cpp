@@ -6,16 +6,9 @@
 #include <vector>
 
 #include "bench/derivatives_bench.h"
-#include "bench/gradient_cost_bench.h"
-#include "bench/integrators_bench.h"
-#include "bench/lanes_bench.h"
-#include "bench/memory_bench.h"
-#include "bench/overhead_bench.h"
-#include "bench/regimes_bench.h"
-#include "bench/roofline_bench.h"
-#include "bench/shape_bench.h"
+#include "bench/processor_bench.h"
 #include "bench/simulation_bench.h"
-#include "src/core/one_line.h"
+#include "src/core/names.h"
 
 /// The program that `ricochet bench` runs.
 int main(int argc, char** argv) {

@@ -1,8 +1,8 @@
-#include "ricochet/families.h"
+#include "problems/carrier_track/suite/families.h"
 
-#include "problems/carrier_track/problems/families.h"
-#include "problems/carrier_track/problems/hard_machines.h"
-#include "problems/classic/families.h"
+#include "problems/carrier_track/suite/hard_machines.h"
+#include "problems/classic/classic.h"
+#include "ricochet/problem.h"
 #include "ricochet/scene.h"
 
 namespace ricochet {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ricochet/solver.h"
-#include "src/core/option_value.h"
+#include "src/core/names.h"
 
 namespace ricochet {
 
@@ -43,5 +43,23 @@ struct AdjustableSolver {
 /// The given value, or `usual` if there is none.
 double number_of(const GivenOptions& given, const std::string& name, double usual);
 int whole_of(const GivenOptions& given, const std::string& name, int usual);
+
+/// Which settings a solver runs with. Both are reported, under different names: a solver tuned on
+/// the problems of this suite has an unfair advantage over one that is not.
+enum class Settings {
+  own,   ///< the defaults of its library or its authors
+  tuned  ///< the settings that did best in a sweep on this suite
+};
+
+/// Every solver of this build that has options.
+std::vector<AdjustableSolver> adjustable_solvers();
+
+/// The solver `of` under another name and with these options instead of its defaults; its version
+/// lists them. Throws InputError if there is no such solver with options, for an unknown option,
+/// and for a value that is not allowed.
+Solver varied(const std::string& of, const std::string& name, const GivenOptions& given);
+
+/// The options of a solver. Throws InputError if there is no such solver with options.
+std::vector<SolverOption> options_of(const std::string& solver);
 
 }  // namespace ricochet

@@ -1,17 +1,42 @@
 #include "solvers/ceres.h"
 
+#include <ceres/cost_function.h>
 #include <ceres/first_order_function.h>
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <ceres/types.h>
 #include <ceres/version.h>
+#include <glog/logging.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
 
-#include "solvers/ceres_exit.h"
 #include "solvers/unit_box.h"
 
+/// Only for the adapters of Ceres.
 namespace ricochet {
+
+/// Silences the warnings that Ceres writes to standard error where a function is flat, whatever its
+/// options are. The run's record holds what the suite needs.
+inline void silence_ceres() {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
+/// Ceres's termination type as text.
+inline std::string in_words(ceres::TerminationType type) {
+  switch (type) {
+    case ceres::CONVERGENCE:
+      return "converged";
+    case ceres::NO_CONVERGENCE:
+      return "iterations spent";
+    default:
+      return "failure";
+  }
+}
+
 namespace {
 
 constexpr double farthest_start = 0.999;  // |x - middle| / half width
@@ -130,6 +155,115 @@ AdjustableSolver adjustable_ceres_lbfgs() {
            real_option("gradient_tolerance", 0, 1e9, own.gradient_tolerance),
            real_option("parameter_tolerance", 0, 1, own.parameter_tolerance), decrease, curvature},
           lbfgs};
+}
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The residuals over the unit cube.
+class UnitResiduals : public ceres::CostFunction {
+ public:
+  UnitResiduals(UnitBox& box, Eigen::Index count, Eigen::Index dimension) : box_(box) {
+    set_num_residuals(static_cast<int>(count));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(dimension));
+  }
+
+  bool Evaluate(double const* const* parameters, double* values,
+                double** jacobians) const override {
+    const Eigen::Map<const Vector> u(parameters[0], parameter_block_sizes().front());
+    Eigen::Map<Vector> told(values, num_residuals());
+    if (!jacobians || !jacobians[0]) {  // a trial step: most rejected steps end here
+      const auto seen = box_.residual_values(u);
+      if (!seen || !seen->allFinite() || seen->size() != num_residuals()) return false;
+      told = *seen;
+      return true;
+    }
+    const auto seen = box_.residuals(u, Part::jacobian);
+    if (!seen || !finite(*seen) || seen->values.size() != num_residuals()) return false;
+    told = seen->values;
+    Eigen::Map<RowMajor>(jacobians[0], num_residuals(), u.size()) = seen->jacobian;
+    return true;
+  }
+
+ private:
+  UnitBox& box_;
+};
+
+using Options = ceres::Solver::Options;
+
+Options own_options() {
+  Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  // Between bounds Ceres looks for every step along a line. QUADRATIC needs values only; CUBIC
+  // would also need slopes.
+  options.line_search_interpolation_type = ceres::QUADRATIC;
+  options.max_num_iterations = std::numeric_limits<int>::max();
+  options.update_state_every_iteration = true;  // as ceres-lbfgs
+  options.function_tolerance = 1e-14;  // the parameter tolerance, steps of 1e-8, changes f by this
+  options.gradient_tolerance = 0;      // it has the unit of the residuals, which is unknown
+  return options;
+}
+
+Options options_with(const GivenOptions& given) {
+  Options options = own_options();
+  const auto take = [&](const char* name, double& target) {
+    target = number_of(given, name, target);
+  };
+  take("initial_trust_region_radius", options.initial_trust_region_radius);
+  take("function_tolerance", options.function_tolerance);
+  take("parameter_tolerance", options.parameter_tolerance);
+  return options;
+}
+
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
+  UnitBox box(evaluator);
+  Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
+  // Ceres needs the number of residuals beforehand; the evaluator remembers their values.
+  const auto first = box.residual_values(u, Part::nothing);
+  if (!first) return {stopped_by_evaluator};
+  if (!first->allFinite()) return {not_finite};
+  ceres::Problem problem;
+  problem.AddResidualBlock(new UnitResiduals(box, first->size(), u.size()), nullptr,
+                           u.data());  // `problem` owns it
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) {
+    problem.SetParameterLowerBound(u.data(), i, 0.0);
+    problem.SetParameterUpperBound(u.data(), i, 1.0);
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
+          box.from_unit(u)};
+}
+
+Solver least_squares(const GivenOptions& given) {
+  silence_ceres();
+  Solver solver;
+  solver.name = "ceres-trust-region";
+  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
+  solver.capabilities = ceres_least_squares_capabilities;
+  solver.at_limit = AtLimit::own_point;
+  solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
+                                                 Random&) {
+    return minimise(evaluator, start, options);
+  };
+  return solver;
+}
+
+}  // namespace
+
+Solver ceres_least_squares() {
+  return least_squares({});
+}
+
+AdjustableSolver adjustable_ceres_least_squares() {
+  const Options own = own_options();
+  return {"ceres-trust-region",
+          {real_option("initial_trust_region_radius", 1e-12, 1e16, own.initial_trust_region_radius),
+           real_option("function_tolerance", 0, 1, own.function_tolerance),
+           real_option("parameter_tolerance", 0, 1, own.parameter_tolerance)},
+          least_squares};
 }
 
 }  // namespace ricochet

@@ -17,4 +17,15 @@ inline constexpr Capabilities ceres_lbfgs_capabilities = {.derivatives =
 /// "line_search_sufficient_curvature_decrease".
 AdjustableSolver adjustable_ceres_lbfgs();
 
+/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the unit cube, with dense QR
+/// decomposition, in one thread. Ends at once if the residuals at the start are not finite. Ceres
+/// projects its steps onto the box and can stop short of an optimum on a bound:
+/// https://github.com/ceres-solver/ceres-solver/issues/187.
+Solver ceres_least_squares();
+inline constexpr Capabilities ceres_least_squares_capabilities = {.needs_residuals = true};
+
+/// With Ceres's own options "initial_trust_region_radius", "function_tolerance" and
+/// "parameter_tolerance".
+AdjustableSolver adjustable_ceres_least_squares();
+
 }  // namespace ricochet

@@ -11,6 +11,7 @@
 #include "solvers/unit_box.h"
 
 namespace ricochet {
+
 namespace {
 
 constexpr std::size_t most_points = 400;

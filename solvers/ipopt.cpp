@@ -25,9 +25,10 @@
 #include <variant>
 
 #include "solvers/unit_box.h"
-#include "src/core/isolated_call.h"
+#include "src/core/process.h"
 
 namespace ricochet {
+
 namespace {
 
 using Ipopt::Index;

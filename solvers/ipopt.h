@@ -4,7 +4,6 @@
 
 #include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
-#include "solvers/settings.h"
 
 namespace ricochet {
 

@@ -1,23 +1,17 @@
-#include "ricochet/solvers.h"
-
 #include <fmt/format.h>
 
 #include "ricochet/error.h"
-#include "solvers/bisection.h"
+#include "ricochet/solver.h"
+#include "solvers/basic_solvers.h"
 #include "solvers/ceres.h"
-#include "solvers/ceres_least_squares.h"
-#include "solvers/continuation.h"
 #include "solvers/dlib.h"
-#include "solvers/fireworks/fireworks_family.h"
-#include "solvers/golden_section.h"
+#include "solvers/fireworks/fireworks.h"
 #include "solvers/ipopt.h"
-#include "solvers/mads/mads.h"
-#include "solvers/nlopt/nlopt.h"
-#include "solvers/pagmo/pagmo.h"
-#include "solvers/random_search.h"
-#include "solvers/scan.h"
+#include "solvers/mads.h"
+#include "solvers/nlopt.h"
+#include "solvers/pagmo.h"
 #include "solvers/tao/tao.h"
-#include "src/core/near_names.h"
+#include "src/core/names.h"
 
 namespace ricochet {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -7,9 +9,38 @@
 #include <string>
 
 #include "ricochet/problem.h"
-#include "ricochet/stopwatch.h"
 
 namespace ricochet {
+
+/// Processor time of one run, in its own thread, since construction. A reading takes as long as a
+/// dozen cheap evaluations; glance() is for calls at every evaluation.
+class Stopwatch {
+ public:
+  Stopwatch();
+
+  /// [s], exact, without excluded work.
+  double read();
+
+  /// [s], of the last reading: about 0.1 ms old if glances are evenly spaced, and at most 64
+  /// glances old.
+  double glance();
+
+  /// Does work whose time is not counted.
+  template <class Work>
+  void leave_out(Work work) {
+    const double before = now();
+    work();
+    started_ += now() - before;
+  }
+
+ private:
+  static double now();
+
+  double started_;  // moved forward by excluded work
+  double last_ = 0;
+  std::int64_t glances_ = 0;  // since the last reading
+  std::int64_t until_ = 1;    // glances from one reading to the next
+};
 
 /// The budget of a run.
 struct Budget {
@@ -182,6 +213,55 @@ class Evaluator {
   Memory<Derivatives> derivatives_;
   Memory<Residuals> residuals_;
   bool paid_jacobian_ = false;  // of the residuals
+};
+
+/// A point whose true objective was better than that of every earlier one.
+struct Improvement {
+  std::int64_t evaluations;  ///< charged up to its evaluation
+  double seconds;
+  TrueValues true_values;
+  Vector x;
+};
+
+// @file
+// A limit of the time that a computation may take.
+
+/// The result that was asked for is not known when the time limit is reached.
+class TimeLimitReached : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the time limit is reached"; }
+};
+
+/// Limits the time of what is computed in this thread while the object lives, and in the threads
+/// that share the work. When it is reached, simulate(), regimes_of() and quiet_speed() return what
+/// they know by then, and how far it goes; all else that simulates throws TimeLimitReached. Results
+/// that are there in time have the same bits as without a limit. Inside another limit, the one that
+/// ends first holds.
+class TimeLimit {
+ public:
+  /// `seconds`: of the wall clock, > 0; infinity: no limit.
+  explicit TimeLimit(double seconds);
+  ~TimeLimit();
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
+
+  /// Looks at the clock, unless it was reached before.
+  bool is_reached();
+  bool was_reached() const { return reached_.load(std::memory_order_relaxed); }
+
+  /// What is computed now, such as "regimes", and the share of it that is done, in [0, 1]; nullptr
+  /// before anything is reported. These may be called from other threads.
+  const char* stage() const { return stage_.load(std::memory_order_relaxed); }
+  double share() const { return share_.load(std::memory_order_relaxed); }
+  void report(const char* stage, double share);
+
+ private:
+  std::chrono::steady_clock::time_point end_;
+  TimeLimit* outer_;
+  TimeLimit* outer_listener_;
+  std::atomic<bool> reached_ = false;
+  std::atomic<const char*> stage_ = nullptr;
+  std::atomic<double> share_ = 0;
 };
 
 }  // namespace ricochet

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -9,9 +10,11 @@
 #include <vector>
 
 #include "ricochet/formulation.h"
-#include "ricochet/vector.h"
 
 namespace ricochet {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 
 /// Objective and constraints at one point. A point is feasible if the equalities, which come first,
 /// are 0 and every other constraint is <= 0, all to within constraint_tolerance.
@@ -166,5 +169,21 @@ TrueValues true_values_of(const Values& values, Eigen::Index equalities = 0);
 /// Returns true if `a` is strictly better than `b`: its violation is smaller, or equal with a
 /// lower objective.
 bool better(const TrueValues& a, const TrueValues& b);
+
+// @file
+// The families of problems.
+
+/// Problems of one kind. reports/templates/families.toml describes them.
+struct Family {
+  std::string name;  ///< what the names of its problems begin with, e.g. "top-speed"
+  std::vector<Problem> problems;
+};
+
+/// Every family of problems: those of the paper's cases and of the literature. With a scene file,
+/// those of its machine instead; throws InputError if the file is invalid.
+std::vector<Family> all_families(const std::string& scene_file = "");
+
+/// The problems of all families, in order.
+std::vector<Problem> every_problem(const std::vector<Family>& families);
 
 }  // namespace ricochet

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "ricochet/vector.h"
+#include "ricochet/problem.h"
 
 /// Random numbers computed from a generator's bits alone, so that every standard library gives the
 /// same ones; its own distributions may differ.

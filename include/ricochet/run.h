@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ricochet/evaluator.h"
-#include "ricochet/improvement.h"
+#include "ricochet/problem.h"
 #include "ricochet/solver.h"
 
 namespace ricochet {
@@ -52,5 +52,24 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
 /// The record of a run that has not begun.
 RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
                       int number, std::string_view shown = {});
+
+/// The score of a run: of its best evaluated point and of the point that it returned, which may be
+/// worse.
+struct Verdict {
+  bool feasible = false;                 ///< a feasible point was evaluated
+  std::optional<double> objective;       ///< best true objective among feasible points
+  std::optional<double> optimality_gap;  ///< objective - best known, if both exist
+  bool solved = false;                   ///< optimality gap <= tolerance
+  std::optional<std::int64_t> evaluations_to_solve;
+  std::optional<double> seconds_to_solve;
+  /// The optimality gap of the returned point; empty if it is infeasible or there is none.
+  std::optional<double> returned_optimality_gap;
+  bool returned_solved = false;
+};
+
+/// `tolerance`: the largest optimality gap, >= 0, that counts as solved. Without a best known value
+/// a run has no optimality gap and is not solved.
+Verdict judge(const RunRecord& record, const std::optional<double>& best_known, double tolerance);
+Verdict judge(const RunRecord& record, const Problem& problem, double tolerance);
 
 }  // namespace ricochet

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "problems/classic/formula.h"
 #include "ricochet/problem.h"
 
 /// The 116 test problems of Hock and Schittkowski, Test Examples for Nonlinear Programming Codes
@@ -52,5 +54,37 @@ std::vector<Problem> hock_schittkowski_heat();
 
 /// Geometric programs.
 std::vector<Problem> hock_schittkowski_geometric();
+
+/// The known optimum of a problem of Hock and Schittkowski.
+struct Optimum {
+  double value;
+  Vector point;
+  std::string provenance;
+  bool everywhere = false;  ///< inside the box, and best on all of R^n; see Problem::rotates
+};
+
+/// The statement of problem `number`; `author` as in the source, or empty.
+Statement hock_schittkowski(int number, const std::string& author, Vector lower, Vector upper,
+                            Vector start, Optimum optimum);
+
+/// The problem with its first `equations` constraints as equations.
+Problem with_equations(Problem problem, Eigen::Index equations);
+
+inline constexpr const char* in_closed_form = "closed form, published";
+
+template <class Scalar>
+Scalar square(const Scalar& t) {
+  return t * t;
+}
+
+template <class Scalar>
+Scalar cubed(const Scalar& t) {
+  return t * t * t;
+}
+
+/// The statement of "classic-<name>-<n>", for a function that is nonnegative on R^n and 0 at
+/// `best`, on [lower, upper]^n.
+Statement nonnegative(const char* name, const char* source, double lower, double upper,
+                      Vector best);
 
 }  // namespace ricochet::classic

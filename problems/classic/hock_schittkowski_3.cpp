@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "problems/classic/hock_schittkowski.h"
-#include "problems/classic/hock_schittkowski_statement.h"
 
 namespace ricochet::classic {
 namespace {

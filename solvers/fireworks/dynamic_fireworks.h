@@ -3,11 +3,8 @@
 #include <string>
 
 #include "ricochet/solver.h"
-#include "solvers/fireworks/amplitudes.h"
-#include "solvers/fireworks/box.h"
-#include "solvers/fireworks/coordinates.h"
-#include "solvers/fireworks/selection.h"
-#include "solvers/fireworks/spark_counts.h"
+#include "solvers/fireworks/population.h"
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 
@@ -28,5 +25,20 @@ struct DynamicFireworksOptions {
 /// strictly better point, and declines otherwise. No Gaussian sparks. Continues until the evaluator
 /// refuses. Throws std::invalid_argument for options out of range.
 Solver dynamic_fireworks(std::string name, const DynamicFireworksOptions& options = {});
+
+/// The defaults are the paper's.
+struct BareBonesFireworksOptions {
+  int sparks = 300;           ///< in each generation
+  AmplitudeSteps steps = {};  ///< of the amplitude, which starts at a box width
+  Mapping mapping = Mapping::redraw;
+  bool neutral_moves = false;  ///< whether the firework also moves to a spark that is as good
+};
+
+/// BBFWA, the bare bones fireworks algorithm (Li and Tan, Applied Soft Computing 62 (2018) 454, doi
+/// 10.1016/j.asoc.2017.10.046): one firework, whose sparks are uniform in a box around it. It moves
+/// to the best spark (the first one among equals) if that is strictly better, and the amplitude
+/// grows; otherwise the amplitude declines. Continues until the evaluator refuses. Throws
+/// std::invalid_argument for options out of range.
+Solver bare_bones_fireworks(std::string name, const BareBonesFireworksOptions& options = {});
 
 }  // namespace ricochet::fireworks

@@ -2,14 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ricochet/solver.h"
-#include "solvers/fireworks/amplitudes.h"
-#include "solvers/fireworks/box.h"
-#include "solvers/fireworks/coordinates.h"
-#include "solvers/fireworks/selection.h"
-#include "solvers/fireworks/spark.h"
-#include "solvers/fireworks/spark_counts.h"
+#include "solvers/adjustable_solver.h"
+#include "solvers/fireworks/population.h"
+#include "solvers/fireworks/sparks.h"
 
 /// The fireworks algorithm that optimised the driver plate's speed, equations (23)-(30) of the
 /// paper, which takes it from Tan & Zhu, Fireworks algorithm for optimization, ICSI 2010 (doi
@@ -72,5 +70,15 @@ FireworksOptions enhanced_options();
 /// Generates fireworks and sparks, generation after generation, until the evaluator refuses, and
 /// asks for nothing after that. Throws std::invalid_argument for options out of range.
 Solver fireworks(std::string name, const FireworksOptions& options);
+
+/// The members of the family except fireworks-as-printed. Options: "fireworks"; "sparks" of a
+/// generation (of each firework in lotfwa, mgfwa and fwassp); "gaussian_sparks"; "amplitude" in the
+/// member's own unit; "guiding_share" and "guiding_sparks"; "growth" and "decline" of the amplitude
+/// from generation to generation; and "initial_scale" in box widths and "patience" of fwassp.
+std::vector<AdjustableSolver> adjustable_family();
+
+/// Every member of the family, as published or, for "corrected", with the known defects removed.
+/// "as-printed" follows the third branch of equation (24) as the paper prints it.
+std::vector<Solver> family();
 
 }  // namespace ricochet::fireworks

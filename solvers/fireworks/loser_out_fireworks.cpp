@@ -5,14 +5,11 @@
 #include <tuple>
 #include <vector>
 
-#include "solvers/fireworks/draws.h"
-#include "solvers/fireworks/fitness.h"
-#include "solvers/fireworks/member.h"
 #include "solvers/fireworks/population.h"
-#include "solvers/fireworks/selection.h"
-#include "solvers/fireworks/spark.h"
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
+
 namespace {
 
 constexpr double largest_reach = 1000;

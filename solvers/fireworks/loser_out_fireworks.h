@@ -4,8 +4,7 @@
 #include <string>
 
 #include "ricochet/solver.h"
-#include "solvers/fireworks/amplitudes.h"
-#include "solvers/fireworks/box.h"
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 

@@ -9,13 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/fireworks/box.h"
-#include "solvers/fireworks/draws.h"
-#include "solvers/fireworks/fitness.h"
-#include "solvers/fireworks/member.h"
-#include "solvers/fireworks/search_distribution.h"
+#include "solvers/fireworks/population.h"
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
+
 namespace {
 
 constexpr double no_spread = 1e-6;  // of the sparks' values

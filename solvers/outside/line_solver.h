@@ -1,10 +1,104 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
 
 #include "ricochet/solver.h"
+#include "src/core/process.h"
 
 namespace ricochet::outside {
+
+/// Longest line of either side, in bytes.
+inline constexpr std::size_t longest_line = 4 << 20;
+
+/// A file descriptor that is closed on destruction.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  void close();
+  void take(int number);
+
+ private:
+  int number_;  // -1: none
+};
+
+/// How long a line is waited for.
+struct Patience {
+  std::optional<std::chrono::seconds> limit = {};  ///< none: without end
+  const char* after = "";                          ///< what it is counted from: "it was started"
+  std::chrono::milliseconds notice{10'000};        ///< until tell_waiting() is called
+};
+
+/// A program that exchanges lines with ricochet through its standard input and output. Its standard
+/// error is that of ricochet. Only the thread that started it may use it; the program, and whatever
+/// it has started, ends at the latest with that thread.
+///
+/// A program that writes without reading, ends, or closes its streams blocks no one. One that does
+/// nothing is waited for, unless there is a limit; tell_waiting() reports it meanwhile.
+class LineProgram {
+ public:
+  /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no resources
+  /// for it. A program that does not exist ends with exit code 127.
+  explicit LineProgram(std::vector<std::string> arguments);
+
+  /// Closes the program's standard streams, and kills it if it does not end within a second.
+  ~LineProgram();
+  LineProgram(const LineProgram&) = delete;
+  LineProgram& operator=(const LineProgram&) = delete;
+
+  /// Sends text that ends in a newline. Text to a program that has ended is lost; the next line()
+  /// reports that end. Throws std::runtime_error if the program writes 4 MiB without reading.
+  void send(std::string_view text);
+
+  /// The program's next line, without the newline, valid until the next call of line() or send();
+  /// nothing if the program has ended. Throws std::runtime_error if a line is longer than 4 MiB, or
+  /// if none comes within the limit.
+  std::optional<std::string_view> line(const Patience& patience = {});
+
+  /// The number of lines written by the program and read so far.
+  int lines() const { return lines_; }
+
+  /// Returns true if the program has written output that is not yet read.
+  bool has_spoken();
+
+  /// Returns true if the calling thread of this very process started it.
+  bool is_of_this_thread() const;
+
+  /// How the program ended, e.g. "ended with exit code 1"; to be called after line() returned
+  /// nothing.
+  std::string how_it_ended();
+
+ private:
+  bool read_more(int limit_in_milliseconds);
+  bool waited_for_more(const Patience& patience);
+  void wait_to_send();
+
+  /// The last line received, in words.
+  std::string last_line() const;
+
+  const pid_t maker_;
+  const std::thread::id thread_;
+  const std::string command_;
+  std::optional<SupervisedProcess> process_;
+  Descriptor input_, output_;
+  std::string read_;  // read but not yet returned, from begin_ on
+  std::string last_;  // the beginning of the line returned last
+  std::size_t begin_ = 0;
+  bool at_end_ = false;  // of its output
+  int lines_ = 0;
+};
 
 /// A solver that is a program exchanging lines of JSON on its standard input and output; the README
 /// describes the protocol. `command` is split as a shell does it, but no shell is used. The program

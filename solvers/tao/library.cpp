@@ -1,20 +1,32 @@
-/// The adapter of TAO's solvers to the C interface, in a separate shared library: PETSc's MPI and
-/// the MPI stub of sequential Ipopt must not see each other's symbols.
-
+#include <mpi.h>
+#include <petscsys.h>
 #include <petsctao.h>
 #include <ricochet/ricochet.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
-#include "solvers/tao/session.h"
-
 namespace ricochet::tao {
+
+/// Initialises PETSc on the first call; it is never finalised. PETSc prints nothing, reads no
+/// options from files or the environment, leaves the process's signal handlers as they were, and
+/// its MPI knows this process only and starts no other. Returns whether PETSc is available. Only
+/// one thread at a time may call this; a process that forks must not have called it before.
+bool initialised();
+
+// The adapter of TAO's solvers to the C interface, in a separate shared library: PETSc's MPI and
+// the MPI stub of sequential Ipopt must not see each other's symbols.
+
 namespace {
 
 /// A callback returns this to make TAO stop at once.
@@ -249,6 +261,7 @@ const char* solve(TaoType type, ricochet_problem* problem, double* point) {
 }
 
 }  // namespace
+
 }  // namespace ricochet::tao
 
 using namespace ricochet::tao;
@@ -272,3 +285,90 @@ using namespace ricochet::tao;
 EXPORTED const ricochet_solver ricochet_tao_solvers[] = {
     BY_SLOPES("blmvm"), BY_SLOPES("bqnls"), BY_SLOPES("bncg"), BY_RESIDUALS("pounders"),
     BY_RESIDUALS("brgn")};
+
+namespace ricochet::tao {
+
+namespace {
+
+/// Sets or removes environment variables and restores them on destruction: programs started later
+/// may be parallel ones.
+class Environment {
+ public:
+  explicit Environment(const std::map<std::string, std::optional<std::string>>& wanted) {
+    for (const auto& [name, value] : wanted) {
+      const char* const before = std::getenv(name.c_str());
+      before_[name] = before ? std::optional<std::string>(before) : std::nullopt;
+      put(name, value);
+    }
+  }
+  ~Environment() {
+    for (const auto& [name, value] : before_) put(name, value);
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  static void put(const std::string& name, const std::optional<std::string>& value) {
+    if (value) {
+      setenv(name.c_str(), value->c_str(), 1);
+    } else {
+      unsetenv(name.c_str());
+    }
+  }
+
+  std::map<std::string, std::optional<std::string>> before_;
+};
+
+/// Restores all signal handlers on destruction: MPI replaces nearly every one.
+class SignalHandlers {
+ public:
+  SignalHandlers() {
+    for (int number = 1; number < NSIG; ++number) sigaction(number, nullptr, &before_[number]);
+  }
+  ~SignalHandlers() {
+    for (int number = 1; number < NSIG; ++number) sigaction(number, &before_[number], nullptr);
+  }
+  SignalHandlers(const SignalHandlers&) = delete;
+  SignalHandlers& operator=(const SignalHandlers&) = delete;
+
+ private:
+  struct sigaction before_[NSIG] = {};
+};
+
+bool initialise() {
+  // A single process: no daemon, no network, even within a parallel job. Missing components need
+  // not be searched for, which takes ten times as long.
+  const Environment environment({{"OMPI_MCA_ess", "singleton"},
+                                 {"OMPI_MCA_ess_singleton_isolated", "1"},
+                                 {"OMPI_MCA_pmix", "isolated"},
+                                 {"OMPI_MCA_pml", "ob1"},
+                                 {"OMPI_MCA_btl", "self"},
+                                 {"OMPI_MCA_mtl", "^ofi"},
+                                 {"OMPI_MCA_osc", "^ucx"},
+                                 {"OMPI_MCA_coll", "basic,self,libnbc"},
+                                 {"PETSC_OPTIONS", std::nullopt}});
+  const SignalHandlers handlers;
+  int there = 0;
+  MPI_Initialized(&there);
+  int level = 0;
+  if (!there && MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level) != MPI_SUCCESS) {
+    return false;
+  }
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
+  MPI_Comm_set_errhandler(MPI_COMM_SELF, MPI_ERRORS_RETURN);
+  char name[] = "ricochet", files[] = "-skip_petscrc", signals[] = "-no_signal_handler";
+  char* words[] = {name, files, signals, nullptr};
+  char** arguments = words;
+  int count = 3;
+  if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0) return false;
+  return PetscPushErrorHandler(PetscReturnErrorHandler, nullptr) == 0;  // print nothing, return
+}
+
+}  // namespace
+
+bool initialised() {
+  static const bool done = initialise();
+  return done;
+}
+
+}  // namespace ricochet::tao

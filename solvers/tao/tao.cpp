@@ -14,6 +14,7 @@
 #include "solvers/outside/plugin.h"
 
 namespace ricochet {
+
 namespace {
 
 namespace fs = std::filesystem;

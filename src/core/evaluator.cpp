@@ -1,10 +1,11 @@
-#include "ricochet/evaluator.h"
+#include "src/core/evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "src/core/scorer.h"
+#include "ricochet/evaluator.h"
 
 namespace ricochet {
 
@@ -198,6 +199,75 @@ std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
   }
   paid_jacobian_ = true;
   return residuals_.told;
+}
+
+Scorer::Scorer(const Problem& problem, std::function<void(const Improvement&)> on_improvement)
+    : problem_(problem), on_improvement_(std::move(on_improvement)) {}
+
+void Scorer::score(const Vector& x, const Values* known, std::int64_t evaluations,
+                   Stopwatch& clock) {
+  TrueValues true_values;
+  if (known && !problem_.true_values) {
+    true_values = true_values_of(*known, problem_.equalities);
+  } else {
+    clock.leave_out([&] { true_values = true_values_at(problem_, x); });
+  }
+  if (std::isnan(true_values.objective) || std::isnan(true_values.violation)) return;
+  if (best() && !better(true_values, best()->true_values)) return;
+  trace_.push_back({evaluations, clock.read(), true_values, x});
+  if (on_improvement_) clock.leave_out([&] { on_improvement_(trace_.back()); });
+}
+
+namespace {
+
+/// The violations of the constraints, with their sign.
+Vector broken(const Vector& constraints, Eigen::Index equalities) {
+  Vector result = constraints;
+  const Eigen::Index inequalities = result.size() - equalities;
+  result.tail(inequalities) = result.tail(inequalities).cwiseMax(0);
+  return result;
+}
+
+}  // namespace
+
+Problem penalised(const Problem& problem, double weight) {
+  Problem result = problem;
+  result.constraints = result.equalities = 0;
+  const auto penalise = [weight, m = problem.equalities](const Values& values) {
+    return Values{values.objective + weight * broken(values.constraints, m).lpNorm<1>(), {}};
+  };
+  result.evaluate = [evaluate = problem.evaluate, penalise](const Vector& x) {
+    return penalise(evaluate(x));
+  };
+  if (problem.differentiate) {
+    result.differentiate = [differentiate = problem.differentiate, penalise, weight,
+                            m = problem.equalities](const Vector& x) {
+      const Derivatives d = differentiate(x);
+      const Vector sides = broken(d.values.constraints, m).cwiseSign();
+      return Derivatives{penalise(d.values), d.gradient + weight * d.jacobian.transpose() * sides,
+                         Matrix(0, d.gradient.size()), d.trust};
+    };
+  }
+  if (problem.lagrangian_hessian) {
+    result.lagrangian_hessian = [hessian = problem.lagrangian_hessian, evaluate = problem.evaluate,
+                                 weight, m = problem.equalities](
+                                    const Vector& x, double objective_factor, const Vector&) {
+      const Vector sides = broken(evaluate(x).constraints, m).cwiseSign();
+      return hessian(x, objective_factor, objective_factor * weight * sides);
+    };
+  }
+  result.residuals = nullptr;
+  if (problem.smoothed) {
+    result.smoothed = [smoothed = problem.smoothed, weight](double smoothing) {
+      return penalised(smoothed(smoothing), weight);
+    };
+  }
+  if (!problem.true_values) {
+    result.true_values = [evaluate = problem.evaluate, m = problem.equalities](const Vector& x) {
+      return true_values_of(evaluate(x), m);
+    };
+  }
+  return result;
 }
 
 }  // namespace ricochet

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "src/core/time_limit.h"
+#include "src/core/run.h"
 
 namespace ricochet {
 

@@ -7,6 +7,7 @@
 #include "src/core/seed.h"
 
 namespace ricochet {
+
 namespace {
 
 /// A box in coordinates that are rotated, but not yet moved or reflected.

@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "problems/carrier_track/identification/safe_speed.h"
-#include "ricochet/time_limit.h"
+#include "problems/carrier_track/identification/knock_record.h"
+#include "ricochet/evaluator.h"
 #include "src/identification/fit_check.h"
 
 namespace ricochet::studies::identification {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/identification/knock_loss.h"
-#include "problems/carrier_track/identification/next_speed.h"
+#include "problems/carrier_track/identification/knock_problem.h"
 #include "ricochet/solver.h"
 #include "src/identification/knock_fit.h"
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "problems/carrier_track/identification/knock_loss.h"
+#include "ricochet/random.h"
 #include "ricochet/solver.h"
 
 namespace ricochet::studies::identification {
@@ -26,5 +28,11 @@ KnockFit fit_knocks(const carrier_track::KnockLoss& loss, const Solver& solver,
 /// Improves x without a search from elsewhere, such as after a change of the loss. Returns the
 /// loss.
 double refine(const carrier_track::KnockLoss& loss, const Solver& solver, Vector& x);
+
+/// Points from which to fit, the most promising first, at most `most`: constants drawn around the
+/// scene's, each with the plate's angle and speed that suit the record best. The first draw is the
+/// scene itself.
+std::vector<Vector> fit_starts(const carrier_track::KnockLoss& loss, std::size_t most,
+                               Random& random);
 
 }  // namespace ricochet::studies::identification

@@ -1,8 +1,8 @@
 #include "src/live/count_there.h"
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/counts.h"
-#include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/motion/impact_model.h"
 
 namespace ricochet::live {
 

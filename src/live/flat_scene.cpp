@@ -7,7 +7,6 @@
 #include <string_view>
 #include <variant>
 
-#include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
 

@@ -1,6 +1,8 @@
 // The border of the WebAssembly module: plain functions over one machine. Numbers come in by
 // `room`, and go out by `results`; texts go out by `text`. A C++ exception ends the instance, see
 // module/platform/exceptions.cpp: whoever calls makes a new one.
+#include "problems/carrier_track/suite/machine.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,13 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/scene/quantity.h"
+#include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
-#include "ricochet/regimes.h"
+#include "ricochet/machine.h"
 #include "src/live/count_there.h"
 #include "src/live/flat_scene.h"
 #include "src/live/race.h"

@@ -6,9 +6,9 @@
 #include "ricochet/evaluator.h"
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
+#include "solvers/basic_solvers.h"
 #include "solvers/fireworks/fireworks.h"
-#include "solvers/random_search.h"
-#include "src/core/penalty.h"
+#include "src/core/evaluator.h"
 #include "src/live/cma_es.h"
 #include "src/live/count_there.h"
 

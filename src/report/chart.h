@@ -95,4 +95,14 @@ void check(const Chart& chart);
 /// The description, or one made from the labels.
 std::string description(const Chart& chart);
 
+/// The numbers of a chart as a CSV file: a row for every sample, edge of an area, reference line or
+/// cell, with the axes' labels as the names of the columns and up to ten significant digits. What
+/// is missing is an empty field.
+std::string csv_of(const Chart& chart);
+
+/// Returns the titles of a table's columns as custom properties of CSS, not escaped for HTML:
+/// --1:"solver";--2:"solved [%]"; On a narrow screen reports/templates/look.css writes them
+/// before the cells. Empty for a table of so few columns that it fits there as it is.
+std::string column_labels(const std::vector<std::string>& titles);
+
 }  // namespace ricochet::report

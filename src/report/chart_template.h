@@ -1,8 +1,9 @@
 #pragma once
 
-#include "src/report/cell_links.h"
 #include "src/report/chart.h"
-#include "src/report/template_part.h"
+#include "src/report/page.h"
+#include "src/report/page_template.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
 
@@ -15,5 +16,9 @@ Chart chart_of(const Part& part, const Scopes& scopes);
 
 /// Returns where the cells of its heat map lead, by the texts `row_link` and `column_link`.
 CellLinks cell_links_of(const Part& part, const Scopes& scopes);
+
+/// Returns the table that a [[section.table]] of a template declares, see page_template.h. Throws
+/// std::logic_error if it does not fit the data.
+Table table_of(const Part& part, const Scopes& scopes);
 
 }  // namespace ricochet::report

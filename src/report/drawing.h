@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "src/report/path_data.h"
+#include "src/report/chart.h"
+#include "src/report/json.h"
+#include "src/report/svg.h"
 
 namespace ricochet::report {
 
@@ -62,5 +64,45 @@ class Drawing {
 
 /// Joins pictures of drawings with different names into one picture, one below the other.
 std::string stacked(const std::vector<std::string>& svgs);
+
+/// A chart for a page: a picture, or the reason why it could not be drawn.
+struct DrawnChart {
+  std::string name, title;
+  std::string svg;
+  std::string failure = {};  ///< empty if it is drawn
+
+  bool is_drawn() const { return failure.empty(); }
+};
+
+/// Draws a chart. Throws only std::bad_alloc: other errors are returned as the failure of this
+/// chart.
+DrawnChart draw(const Chart& chart);
+
+/// Returns the SVG with the chart's numbers, for the buttons of reports/templates/chart_data.js, or
+/// a paragraph with the reason for the failure.
+std::string html_of(const Chart& chart, const DrawnChart& drawn);
+
+/// Returns a reference to the picture's file, or the same reason.
+std::string markdown_of(const DrawnChart& chart);
+
+/// "chart NAME could not be drawn: REASON", for the end of a command.
+std::string failure_of(const DrawnChart& chart);
+
+/// Charts with different names, one below the other: a picture for a separate file.
+struct Plot {
+  std::string svg = {};  ///< of those that could be drawn; empty if there is none
+  std::vector<std::string> failures = {};
+};
+Plot plot_of(const std::vector<Chart>& charts);
+
+/// Throws std::runtime_error with these lines if there are any. To be called after all other
+/// output.
+void require_none(const std::vector<std::string>& failures);
+
+/// Returns the same JSON for a script of a page: "</script>" cannot occur in it.
+std::string json_in_script(const std::string& json);
+
+/// Returns a script element of this class that holds the data.
+std::string data_script(const char* name, const Json& data);
 
 }  // namespace ricochet::report

@@ -1,13 +1,17 @@
 #include "src/report/frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "src/report/wrapped.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
+
 namespace {
 
 constexpr double least_width = 60, least_height = 30;  // of the plot, pixels
@@ -275,6 +279,257 @@ Pixel place_of(const Chart& chart, const Frame& frame, double position, double v
   const Box& plot = frame.plot;
   return {pixels(plot.left + plot.width() * share(position, frame.x, chart.x.scale)),
           pixels(plot.bottom - plot.height() * share(value, frame.y, chart.y.scale))};
+}
+
+namespace {
+
+std::string power_of_ten(int exponent) {
+  static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
+  return text;
+}
+
+double step_of(const Range& limits, int wanted, bool whole_numbers) {
+  const double raw = (limits.upper - limits.lower) / wanted;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (factor * power >= raw * (1 - 1e-9)) step = factor * power;
+  return whole_numbers ? std::max(step, 1.0) : step;
+}
+
+}  // namespace
+
+Range limits(const std::vector<double>& values, Scale scale) {
+  const bool logarithmic = scale == Scale::logarithmic;
+  if (values.empty()) return logarithmic ? Range{1, 10} : Range{0, 1};
+  const auto [least, most] = std::ranges::minmax(values);
+  if (logarithmic) {
+    const double room = std::max(std::pow(most / least, 0.03), most < 2 * least ? 1.5 : 1.0);
+    return {least / room, most * room};
+  }
+  const double span = most - least;
+  const double scale_of_values = std::max(std::abs(least), std::abs(most));
+  const bool flat = span <= 1e-9 * scale_of_values;
+  const double room = !flat ? 0.04 * span : scale_of_values > 0 ? 0.5 * scale_of_values : 1.0;
+  return {least - room, most + room};
+}
+
+double share(double value, const Range& limits, Scale scale) {
+  if (scale == Scale::linear) return (value - limits.lower) / (limits.upper - limits.lower);
+  return std::log(value / limits.lower) / std::log(limits.upper / limits.lower);
+}
+
+std::string number_label(double number) {
+  std::string text = fmt::format("{:.10g}", std::abs(number));
+  if (const auto power = text.find('e'); power != std::string::npos) {
+    const std::string factor = text.substr(0, power) == "1" ? "" : text.substr(0, power) + "×";
+    text = factor + power_of_ten(std::stoi(text.substr(power + 1)));
+  }
+  return number < 0 ? "−" + text : text;
+}
+
+std::vector<Tick> linear_ticks(const Range& limits, int wanted, bool whole_numbers) {
+  const double step = step_of(limits, wanted, whole_numbers);
+  const double slack = 1e-9 * step;
+  const double first = std::ceil((limits.lower - slack) / step);
+  std::vector<Tick> ticks;
+  for (int i = 0; i <= 2 * wanted; ++i) {
+    const double position = (first + i) * step;
+    if (position > limits.upper + slack) break;
+    ticks.push_back({std::clamp(position, limits.lower, limits.upper), number_label(position)});
+  }
+  return ticks;
+}
+
+std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
+  const int first = static_cast<int>(std::floor(std::log10(limits.lower)));
+  const int last = static_cast<int>(std::ceil(std::log10(limits.upper)));
+  const double decades = std::log10(limits.upper / limits.lower);
+  const int stride = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
+  const bool plain = limits.lower >= 1e-3 && limits.upper < 1e5;
+  std::vector<Tick> ticks;
+  const auto add = [&](double position, const std::string& label) {
+    if (position >= limits.lower && position <= limits.upper) ticks.push_back({position, label});
+  };
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const double power = std::pow(10, exponent);
+    const bool labelled = exponent % stride == 0;
+    add(power, !labelled ? "" : plain ? fmt::format("{:g}", power) : power_of_ten(exponent));
+    for (int digit = 2; digit <= 9 && decades <= 8; ++digit) {
+      // Less than two decades have too few powers of ten to read off a value.
+      const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) ||
+                               (decades < 1 && (digit == 3 || digit == 7)) || decades < 0.5;
+      add(digit * power, label_digit ? number_label(digit * power) : "");
+    }
+  }
+  const auto labels = std::ranges::count_if(ticks, [](const Tick& t) { return !t.label.empty(); });
+  return labels < 2 && decades < 1 ? linear_ticks(limits, wanted, false) : ticks;
+}
+
+namespace {
+
+constexpr double line_height = 14;  // pixels
+constexpr double beside = 4;        // pixels, from a curve's end to a label without a leader line
+constexpr double farthest = 45;     // to a label with a leader line
+constexpr std::size_t most = 6;     // with more labels a legend is easier to read
+constexpr double widest_share = 0.45;  // of the chart's width, for the labels
+constexpr double right_end = 0.97;     // of the plot's width: a curve ends at the right
+
+/// Labels at the least distance from each other, centred around where they should be.
+struct Cluster {
+  std::size_t first, last;
+  double sum = 0;  ///< sum of where its labels should be, relative to the lowest place
+
+  double lowest(double distance, double top) const {
+    const auto many = static_cast<double>(last - first + 1);
+    return std::clamp(sum / many, 0.0, std::max(0.0, top - (many - 1) * distance));
+  }
+};
+
+/// Moves sorted labels apart to at least this distance, with the least total displacement.
+void move_apart(std::vector<EndLabel>& labels, double distance) {
+  std::vector<Cluster> clusters;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    clusters.push_back({i, i, labels[i].end});
+    while (clusters.size() > 1) {
+      Cluster& below = clusters[clusters.size() - 2];
+      const Cluster above = clusters.back();
+      const auto many = static_cast<double>(below.last - below.first + 1);
+      const double next = below.lowest(distance, 1) + many * distance;
+      if (above.lowest(distance, 1) >= next) break;
+      const auto added = static_cast<double>(above.last - above.first + 1);
+      below.sum += above.sum - added * many * distance;
+      below.last = above.last;
+      clusters.pop_back();
+    }
+  }
+  for (const Cluster& cluster : clusters) {
+    for (std::size_t i = cluster.first; i <= cluster.last; ++i) {
+      labels[i].place =
+          cluster.lowest(distance, 1) + static_cast<double>(i - cluster.first) * distance;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<EndLabel> end_labels(const Chart& chart, const Range& x, const Range& y,
+                                 double height) {
+  std::vector<EndLabel> labels;
+  if (!chart.areas.empty()) return {};  // which need a legend, with the series in it
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    if (series.label.empty()) continue;
+    if (series.mark == Mark::points || series.samples.empty()) return {};
+    const Sample& last = series.samples.back();
+    if (!last.value || share(last.position, x, chart.x.scale) < right_end) return {};
+    const double end = share(*last.value, y, chart.y.scale);
+    if (end < 0 || end > 1) return {};
+    if (text_width(series.label) > widest_share * chart.width) return {};
+    labels.push_back({series.label, i, end, end});
+  }
+  if (labels.size() < 2 || labels.size() > most) return {};
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const EndLabel& a, const EndLabel& b) { return a.end < b.end; });
+  move_apart(labels, line_height / height);
+  for (const EndLabel& label : labels) {
+    if (std::abs(label.place - label.end) > farthest / height) return {};
+  }
+  return labels;
+}
+
+bool need_leaders(const std::vector<EndLabel>& labels, double height) {
+  return std::ranges::any_of(labels, [&](const EndLabel& label) {
+    return std::abs(label.place - label.end) > beside / height;
+  });
+}
+
+namespace {
+
+constexpr double dot_size = 4;  // half, pixels
+constexpr double half_line = 6.5;
+
+bool meet(const Box& a, const Box& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+class Names {
+ public:
+  Names(const Chart& chart, const Frame& frame) : chart_(chart), frame_(frame) {
+    for (const Series& series : chart.series) {
+      if (series.mark != Mark::points) continue;
+      for (const Sample& sample : series.samples) {
+        if (!sample.value) continue;
+        const Pixel dot = place_of(chart, frame, sample.position, *sample.value);
+        taken_.push_back({dot.x - dot_size, dot.x + dot_size, dot.y - dot_size, dot.y + dot_size});
+      }
+    }
+  }
+
+  std::vector<PointName> all() {
+    for (const bool pale : {false, true}) {
+      for (const Series& series : chart_.series) {
+        if (series.pale != pale) continue;
+        for (const Sample& sample : series.samples) {
+          if (sample.value && !sample.name.empty()) place(sample, pale);
+        }
+      }
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  void place(const Sample& sample, bool pale) {
+    static constexpr std::array<Pixel, 8> directions{{{-0.8, -1.2},
+                                                      {-1, 0},
+                                                      {0.8, -1.2},
+                                                      {0.8, 1.2},
+                                                      {1, 0},
+                                                      {-0.8, 1.2},
+                                                      {0.1, -2.2},
+                                                      {0.1, 2.2}}};
+    const Pixel dot = place_of(chart_, frame_, sample.position, *sample.value);
+    if (!frame_.plot.holds(dot)) return;
+    for (const double distance : {8.0, 16.0, 26.0, 40.0}) {
+      const bool led = distance > 8;
+      if (led && pale) return;
+      for (const Pixel& direction : directions) {
+        const PointName name{
+            sample.name,     dot, {dot.x + distance * direction.x, dot.y + distance * direction.y},
+            direction.x < 0, led, pale};
+        if (take(name)) return;
+      }
+    }
+  }
+
+  /// Keeps the name if there is room for it.
+  bool take(const PointName& name) {
+    const double length = text_width(name.text, 10) + 2;
+    const double left = name.to_the_left ? name.place.x - length : name.place.x;
+    const Box box{left, left + length, name.place.y - half_line, name.place.y + half_line};
+    const Box& plot = frame_.plot;
+    const bool inside = box.left > plot.left && box.right < plot.right &&
+                        box.bottom < plot.bottom && box.top > plot.top - half_line;
+    if (!inside || std::ranges::any_of(taken_, [&](const Box& b) { return meet(b, box); })) {
+      return false;
+    }
+    taken_.push_back(box);
+    placed_.push_back(name);
+    return true;
+  }
+
+  const Chart& chart_;
+  const Frame& frame_;
+  std::vector<Box> taken_;
+  std::vector<PointName> placed_;
+};
+
+}  // namespace
+
+std::vector<PointName> names_of_points(const Chart& chart, const Frame& frame) {
+  return Names(chart, frame).all();
 }
 
 }  // namespace ricochet::report

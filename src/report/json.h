@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "ricochet/solver.h"
+
 namespace ricochet::report {
 
 /// What a report is drawn from: the results of a study, in the order in which they were computed.
@@ -99,3 +101,12 @@ struct nlohmann::adl_serializer<std::optional<T>> {
 #define RICOCHET_JSON(Type, ...)               \
   RICOCHET_WRITTEN_AS_JSON(Type, __VA_ARGS__); \
   RICOCHET_READ_FROM_JSON(Type, __VA_ARGS__)
+
+namespace ricochet::studies {
+
+/// The name and the version of a solver.
+inline report::Json solver_data(const Solver& solver) {
+  return {{"name", solver.name}, {"version", solver.version}};
+}
+
+}  // namespace ricochet::studies

@@ -1,17 +1,52 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "src/report/cell_links.h"
 #include "src/report/chart.h"
-#include "src/report/file_set.h"
 #include "src/report/json.h"
-#include "src/report/table.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
+
+/// The files of one report: name and text.
+using FileSet = std::map<std::string, std::string>;
+
+/// Writes the files into the folder, creates it if needed, and leaves all other files unchanged.
+/// Throws as replace_files.
+void add_files(const std::filesystem::path& folder, const FileSet& files);
+
+/// Writes the files into the folder, creates it if needed, and adds a manifest of them. Files that
+/// only the manifest of an earlier report names are removed if they are unchanged. All texts are on
+/// the disk before the first file is replaced. If that fails, throws InputError or OutputError, one
+/// line with path and reason, and leaves everything as it was.
+void replace_files(const std::filesystem::path& folder, const FileSet& files);
+
+enum class Alignment { left, right };
+
+/// Good and bad are also shown as a tick and a cross, since not every reader sees colours.
+enum class State { neutral, good, bad };
+
+struct Column {
+  std::string title;
+  Alignment alignment = Alignment::right;
+};
+
+struct Cell {
+  std::string text;
+  State state = State::neutral;
+  std::string link = {};  ///< see Link in headline.h; empty: none
+};
+
+/// The first cell of every row is its header.
+struct Table {
+  std::string caption;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
+};
 
 struct Figure {
   Chart chart;

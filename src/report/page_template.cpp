@@ -1,16 +1,18 @@
 #include "src/report/page_template.h"
 
-#include <algorithm>
-#include <stdexcept>
+#include <fmt/format.h>
 
-#include "src/core/csv_field.h"
-#include "src/core/label.h"
-#include "src/core/name.h"
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "src/core/csv.h"
+#include "src/core/names.h"
 #include "src/report/chart_template.h"
-#include "src/report/headline_template.h"
-#include "src/report/table_template.h"
 
 namespace ricochet::report {
+
 namespace {
 
 std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
@@ -160,6 +162,213 @@ Digits kept_digits(const std::string& page_template) {
     }
   }
   return digits;
+}
+
+std::string Part::text(std::string_view key) const {
+  const auto value = (*table_)[key].value<std::string>();
+  if (!value) throw std::logic_error(fmt::format("a template's {} must be a text", key));
+  return *value;
+}
+
+std::string Part::filled_text(std::string_view key, const Scopes& scopes) const {
+  return has(key) ? filled(text(key), scopes) : "";
+}
+
+std::vector<std::string> Part::texts(std::string_view key) const {
+  const toml::array* array = list(key);
+  if (array == nullptr) return {text(key)};
+  std::vector<std::string> all;
+  for (const toml::node& node : *array) all.push_back(node.value<std::string>().value());
+  return all;
+}
+
+Part Part::part(std::string_view key) const {
+  const toml::table* table = (*table_)[key].as_table();
+  if (table == nullptr) throw std::logic_error(fmt::format("a template's {} must be a table", key));
+  return Part(*table);
+}
+
+std::vector<Part> Part::parts(std::string_view key) const {
+  std::vector<Part> all;
+  if (const toml::array* array = list(key)) {
+    for (const toml::node& node : *array) all.emplace_back(*node.as_table());
+  }
+  return all;
+}
+
+std::optional<double> Part::number(std::string_view key, const Scopes& scopes) const {
+  const toml::node* node = table_->get(key);
+  return node == nullptr ? std::nullopt : number_in(*node, scopes);
+}
+
+Scopes with(Scopes scopes, const Json& data) {
+  scopes.push_back(&data);
+  return scopes;
+}
+
+std::vector<Scopes> places_of(const Part& part, const Scopes& scopes) {
+  std::vector<Scopes> places;
+  if (part.has("when") && !holds(part.text("when"), scopes)) return places;
+  if (part.has("each")) {
+    for (const Json& entry : found_in(scopes, part.text("each"))) {
+      places.push_back(with(scopes, entry));
+    }
+  } else {
+    places.push_back(scopes);
+  }
+  if (part.has("data")) {
+    for (Scopes& place : places) place.push_back(&found_in(place, part.filled_text("data", place)));
+  }
+  return places;
+}
+
+bool holds(const std::string& condition, const Scopes& scopes) {
+  const bool negated = condition.starts_with('^');
+  return is_yes(found_in(scopes, condition.substr(negated ? 1 : 0))) != negated;
+}
+
+std::optional<double> number_in(const toml::node& value, const Scopes& scopes) {
+  if (const auto number = value.value<double>()) return number;
+  const auto asked = value.value<std::string>();
+  if (!asked) throw std::logic_error("a template's value must be a number or a name");
+  const std::size_t colon = asked->find(':');
+  const Json& data = found_in(scopes, asked->substr(0, colon));
+  if (!data.is_number() && !data.is_null()) {
+    throw std::logic_error(fmt::format("a template's {} is no number", *asked));
+  }
+  if (data.is_null() || !std::isfinite(data.get<double>())) return std::nullopt;
+  const double number = data.get<double>();
+  const std::string formulation = colon == std::string::npos ? "" : asked->substr(colon + 1);
+  if (formulation.empty()) return number;
+  if (formulation == "%") return 100 * number;
+  if (formulation == "size") return std::abs(number);
+  throw std::logic_error(fmt::format("a template's {}: must end in :% or :size", *asked));
+}
+
+namespace {
+
+constexpr const char* columns = "columns";
+constexpr const char* rows = "rows";
+
+bool has_names_of_table(const Json& data) {
+  return data.is_object() && data.size() == 2 && data.contains(columns) && data.contains(rows);
+}
+
+bool same_names(const Json& a, const Json& b) {
+  return std::equal(a.items().begin(), a.items().end(), b.items().begin(), b.items().end(),
+                    [](const auto& left, const auto& right) { return left.key() == right.key(); });
+}
+
+bool makes_table(const Json& list) {
+  if (list.size() < 2 || !list[0].is_object() || list[0].empty()) return false;
+  return std::ranges::all_of(
+      list, [&](const Json& entry) { return entry.is_object() && same_names(entry, list[0]); });
+}
+
+Json table_of(const Json& list) {
+  Json names = Json::array(), values = Json::array();
+  for (const auto& [name, value] : list[0].items()) names.push_back(name);
+  for (const Json& entry : list) {
+    Json row = Json::array();
+    for (const Json& value : entry) row.push_back(packed(value));
+    values.push_back(std::move(row));
+  }
+  return {{columns, std::move(names)}, {rows, std::move(values)}};
+}
+
+bool is_table(const Json& data) {
+  if (!has_names_of_table(data) || !data[columns].is_array() || !data[rows].is_array())
+    return false;
+  const auto is_name = [](const Json& name) { return name.is_string(); };
+  return std::ranges::all_of(data[columns], is_name) &&
+         std::ranges::all_of(data[rows], [&](const Json& row) {
+           return row.is_array() && row.size() == data[columns].size();
+         });
+}
+
+}  // namespace
+
+Json packed(const Json& data) {
+  if (!data.is_structured()) return data;
+  if (has_names_of_table(data)) {
+    throw std::logic_error("the data of a report have an object of only columns and rows");
+  }
+  if (data.is_array() && makes_table(data)) return table_of(data);
+  Json copy = data;
+  for (Json& part : copy) part = packed(part);
+  return copy;
+}
+
+Json unpacked(Json data) {
+  if (!data.is_structured()) return data;
+  if (!is_table(data)) {
+    for (Json& part : data) part = unpacked(std::move(part));
+    return data;
+  }
+  Json list = Json::array();
+  for (Json& row : data[rows]) {
+    Json entry = Json::object();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      entry.push_back({data[columns][i].get<std::string>(), unpacked(std::move(row[i]))});
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+namespace {
+
+Excerpt excerpt_of(const Part& part, const Scopes& scopes) {
+  Excerpt excerpt{part.text("topic"),
+                  part.filled_text("heading", scopes),
+                  part.filled_text("text", scopes),
+                  {},
+                  {}};
+  for (const Part& link : part.parts("links")) {
+    for (const Scopes& place : places_of(link, scopes)) {
+      excerpt.links.push_back({filled(link.text("text"), place), link.filled_text("to", place)});
+    }
+  }
+  if (part.has("table")) excerpt.table = table_of(part.part("table"), scopes);
+  return excerpt;
+}
+
+/// Omits the samples at or beyond the end of the range of y, where failed runs are drawn.
+Chart inner_chart_of(const Part& part, const Scopes& scopes) {
+  Chart chart = chart_of(part, scopes);
+  for (Series& series : chart.series) {
+    std::erase_if(series.samples, [&](const Sample& sample) {
+      return !sample.value || (chart.y.range && *sample.value >= chart.y.range->upper);
+    });
+  }
+  std::erase_if(chart.series, [](const Series& series) { return series.samples.empty(); });
+  return chart;
+}
+
+}  // namespace
+
+Headline headline_of(const Part& page, const Scopes& scopes) {
+  Headline headline;
+  headline.title = filled(page.text("title"), scopes);
+  if (!page.has("headline")) return headline;
+  const Part part = page.part("headline");
+  headline.version = headline_version;
+  headline.finding = part.filled_text("finding", scopes);
+  headline.command = part.filled_text("made_by", scopes);
+  headline.group = part.filled_text("group", scopes);
+  headline.label = part.filled_text("label", scopes);
+  for (const Part& excerpt : part.parts("excerpt")) {
+    for (const Scopes& place : places_of(excerpt, scopes)) {
+      headline.excerpts.push_back(excerpt_of(excerpt, place));
+    }
+  }
+  for (const Part& chart : part.parts("chart")) {
+    for (const Scopes& place : places_of(chart, scopes)) {
+      headline.charts.push_back(inner_chart_of(chart, place));
+    }
+  }
+  if (part.has("holds")) headline.holds = part.texts("holds");
+  return headline;
 }
 
 }  // namespace ricochet::report

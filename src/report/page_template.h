@@ -1,14 +1,62 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "src/report/data_text.h"
-#include "src/report/headline.h"
+#include "src/report/chart.h"
 #include "src/report/json.h"
 #include "src/report/page.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
+
+/// Version of this struct. Data of another version are not read.
+inline constexpr int headline_version = 1;
+
+/// A place in a report, from one of its pages: "" is that page, "#thresholds" a section of it,
+/// "count" a page in a folder below, "../count" one beside it.
+struct Link {
+  std::string text;
+  std::string to;
+};
+
+/// A part of a report that the front page repeats.
+struct Excerpt {
+  std::string topic;  ///< the front page's heading for it
+  std::string heading;
+  std::string text;
+  std::vector<Link> links;
+  Table table;  ///< empty if it has no columns
+};
+
+/// A report's summary for a front page. It is stored in data.json, except for the parts repeated
+/// from the page, which are drawn from the data when needed.
+struct Headline {
+  int version = 0;
+  std::string title;
+  std::string finding;             ///< the result, in a sentence
+  std::string command;             ///< that made it; empty: that of its kind, with the time
+  std::vector<std::string> holds;  ///< data for interactive parts of a front page, see src/site
+  std::string group, label;  ///< in the navigation, of a further page that stands in it by itself
+  std::vector<Excerpt> excerpts;
+  std::vector<Chart> charts;  ///< named like the sections that they link to
+};
+RICOCHET_JSON(Headline, version, title, finding, command, holds);
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Scale,
+                             {{Scale::linear, "linear"}, {Scale::logarithmic, "logarithmic"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Mark, {{Mark::line, "line"},
+                                    {Mark::steps, "steps"},
+                                    {Mark::points, "points"}})
+RICOCHET_WRITTEN_AS_JSON(Range, lower, upper);
+RICOCHET_WRITTEN_AS_JSON(Axis, label, scale, range);
+RICOCHET_WRITTEN_AS_JSON(Sample, position, value, name);
+RICOCHET_WRITTEN_AS_JSON(Series, label, mark, pale, samples);
+RICOCHET_WRITTEN_AS_JSON(Chart, name, title, x, y, series);
 
 /// The result of filling in a template.
 struct DrawnPage {
@@ -93,5 +141,65 @@ Headline headline_in(const std::string& page_template, const Json& data);
 /// Returns the number of significant digits that the template's report keeps, by name, from its
 /// table `digits`.
 Digits kept_digits(const std::string& page_template);
+
+/// A table of a template. Throws std::logic_error if a key is missing or has another type. The
+/// parsed template must outlive it.
+class Part {
+ public:
+  explicit Part(const toml::table& table) : table_(&table) {}
+
+  bool has(std::string_view key) const { return table_->contains(key); }
+
+  std::string text(std::string_view key) const;
+
+  /// The text with its names filled in; "" where the key is missing.
+  std::string filled_text(std::string_view key, const Scopes& scopes) const;
+
+  /// Returns a text, or a list of texts.
+  std::vector<std::string> texts(std::string_view key) const;
+
+  /// Null if the key is missing or is not a list.
+  const toml::array* list(std::string_view key) const { return (*table_)[key].as_array(); }
+
+  /// The table of that key.
+  Part part(std::string_view key) const;
+
+  /// The tables in the list of that key; empty if it is missing.
+  std::vector<Part> parts(std::string_view key) const;
+
+  /// A number in the template, or the number of a name in the data; nothing if the key or the data
+  /// are missing.
+  std::optional<double> number(std::string_view key, const Scopes& scopes) const;
+
+ private:
+  const toml::table* table_;
+};
+
+/// Adds the data as the innermost scope.
+Scopes with(Scopes scopes, const Json& data);
+
+/// Returns the scopes for each repetition of a part: none unless `when` holds, one for each entry
+/// of the list `each`, or else one; the data named by `data` become the innermost scope.
+std::vector<Scopes> places_of(const Part& part, const Scopes& scopes);
+
+/// Returns true if a condition of the template holds: a name whose data must be true, or with a ^
+/// before it must not be.
+bool holds(const std::string& condition, const Scopes& scopes);
+
+/// A number, or the name of one in the data: "name:%" converts a share to per cent, "name:size"
+/// drops the sign. Nothing if the data are null or not finite.
+std::optional<double> number_in(const toml::node& value, const Scopes& scopes);
+
+/// Returns the data with every list of objects that have the same names in the same order as a
+/// table, {"columns": [names], "rows": [[values], ...]}, at all depths. Throws std::logic_error if
+/// the data have an object with exactly these two names.
+Json packed(const Json& data);
+
+/// Inverse of packed(). Anything that is not such a table is unchanged.
+Json unpacked(Json data);
+
+/// Returns the title of a template's page, and the contents of its [headline], see page_template.h;
+/// version 0 if it has none.
+Headline headline_of(const Part& page, const Scopes& scopes);
 
 }  // namespace ricochet::report

@@ -24,13 +24,13 @@
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "ricochet/error.h"
-#include "src/core/name.h"
-#include "src/core/text_file.h"
-#include "src/report/data_text.h"
+#include "src/core/files.h"
+#include "src/core/names.h"
 #include "src/report/page_template.h"
-#include "src/report/template_part.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "src/report/chart.h"
+#include "src/report/json.h"
 
 namespace ricochet::report {
 
@@ -23,5 +28,56 @@ template <class T>
 std::string text_or_dash(const std::optional<T>& value, const char* form) {
   return value ? fmt::format(fmt::runtime(form), *value) : "–";
 }
+
+/// Approximate width of the text in pixels; fonts are the reader's.
+int text_width(const std::string& text, int size = 12);
+
+/// Returns the text, truncated with an ellipsis if there is no room.
+std::string shortened(const std::string& text, double room, int size = 12);
+
+/// The text in lines that have room, broken at spaces.
+std::vector<std::string> wrapped(const std::string& text, double room, int size = 12);
+
+/// Where the cells of a heat map lead: to a folder, #, and what stands in the link for the row and
+/// for the column, joined. In the order of the chart's axes; empty: nowhere.
+struct CellLinks {
+  std::vector<std::string> rows, columns;
+};
+
+/// What reports/templates/chart_links.js needs: `box`, the pixels of the cells in the picture
+/// (left, right, top, bottom), and for each of the `rows`, from the top, and `columns` its name and
+/// its part of the address.
+Json cell_links_data(const Chart& chart, const CellLinks& links);
+
+/// Data in which a template looks up a name, from the last to the first.
+using Scopes = std::vector<const Json*>;
+
+/// Returns the data of a name: "name", "table.name", or "." for the innermost scope itself. Throws
+/// std::logic_error if no scope has it.
+const Json& found_in(const Scopes& scopes, const std::string& name);
+
+/// Returns true if a template's condition holds for the data: unless they are null, false, "" or an
+/// empty list. Zero counts as true.
+bool is_yes(const Json& data);
+
+/// Fills in a Mustache text. {{name:format}} formats as fmt's {:format} does; for a share, a format
+/// that ends in % gives per cent. Null becomes a dash, and a number that rounds to zero has no
+/// sign. {{#name}}...{{/name}} is included if the data are true, once for each entry of a list;
+/// {{^name}}...{{/name}} if they are not. The name @first is true in the first entry of a list, so
+/// that {{^@first}}, {{/@first}} separates entries; @last in the last. Nothing is escaped. Throws
+/// std::logic_error if the text is not valid Mustache, or if a name has no data.
+std::string filled(const std::string& text, const Scopes& scopes);
+
+/// Number of significant digits that are kept, by the name of the number in the data.
+using Digits = std::map<std::string, int, std::less<>>;
+
+/// Returns the text of a report's data.json: lists of records as tables, see packed; numbers with a
+/// fraction rounded to `usual_digits` significant digits or those for their name; whole numbers
+/// below 2^53, and texts, exactly. Lines are kept short, so that diffs are readable.
+std::string data_text(const Json& data, const Digits& digits = {});
+inline constexpr int usual_digits = 6;
+
+/// Parses such a text, or any JSON. Throws Json::exception if it is not JSON.
+Json data_in(const std::string& text);
 
 }  // namespace ricochet::report

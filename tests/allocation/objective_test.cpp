@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <string>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/scene/enum_names.h"
-#include "problems/carrier_track/scene/lifted.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/allocation/allocations.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "ricochet/verdict.h"
-#include "src/core/difference.h"
+#include "ricochet/run.h"
 #include "src/core/instance.h"
+#include "src/core/numeric.h"
 #include "src/core/seed.h"
 
 /// What every problem of a list must fulfil.

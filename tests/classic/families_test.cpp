@@ -1,14 +1,12 @@
-#include "problems/classic/families.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "problems/classic/classic.h"
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
-#include "ricochet/verdict.h"
+#include "ricochet/solver.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {

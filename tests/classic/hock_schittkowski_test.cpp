@@ -10,7 +10,7 @@
 #include <string>
 
 #include "problems/classic/classic.h"
-#include "ricochet/verdict.h"
+#include "ricochet/run.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {

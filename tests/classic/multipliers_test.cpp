@@ -1,10 +1,9 @@
-#include "problems/classic/multipliers.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <string>
 
+#include "problems/classic/formula.h"
 #include "problems/classic/hock_schittkowski.h"
 #include "tests/classic/claims.h"
 

@@ -1,9 +1,9 @@
-#include "problems/classic/plane.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "problems/classic/functions.h"
 
 namespace ricochet::classic {
 namespace {

@@ -1,5 +1,3 @@
-#include "ricochet/solvers.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +10,8 @@
 
 #include "problems/classic/classic.h"
 #include "problems/classic/least_squares.h"
-#include "src/core/scorer.h"
+#include "ricochet/solver.h"
+#include "src/core/evaluator.h"
 #include "tests/classic/claims.h"
 
 /// Solvers on problems whose optima are published.

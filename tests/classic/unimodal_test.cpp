@@ -1,8 +1,8 @@
-#include "problems/classic/unimodal.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "problems/classic/functions.h"
 
 namespace ricochet::classic {
 namespace {

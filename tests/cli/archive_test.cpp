@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 #include "tests/cli/tool.h"
 
 /// From a campaign to an archive, and a user's solver beside it.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/folder_lock.h"
+#include "src/core/files.h"
 #include "src/report/json.h"
 #include "tests/cli/tool.h"
 

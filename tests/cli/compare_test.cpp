@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

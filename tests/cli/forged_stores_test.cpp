@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "src/benchmark/experiment/store/store.h"
+#include "src/experiment/store.h"
 #include "tests/cli/tool.h"
 
 /// Stores that somebody changed and gave the right checksums again, which have no secret.

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "src/core/folder_lock.h"
+#include "src/core/files.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

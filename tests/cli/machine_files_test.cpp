@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/carrier_track/scene/quantity.h"
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/toml_table.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

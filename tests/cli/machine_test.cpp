@@ -1,10 +1,11 @@
+#include "problems/carrier_track/suite/machine.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "problems/carrier_track/problems/default_machine.h"
 #include "ricochet/scene.h"
 #include "tests/cli/tool.h"
 

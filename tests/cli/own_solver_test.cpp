@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 #include "tests/cli/tool.h"
 
 /// Solvers that a user brings along, by the examples.

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

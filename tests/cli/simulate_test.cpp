@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

@@ -9,9 +9,8 @@
 #include <numbers>
 #include <regex>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

@@ -1,7 +1,6 @@
-#include "ricochet/capabilities.h"
-
 #include <gtest/gtest.h>
 
+#include "ricochet/solver.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

@@ -1,6 +1,6 @@
-#include "src/core/csv_field.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/csv.h"
 
 namespace ricochet {
 namespace {

@@ -1,9 +1,8 @@
-#include "src/core/csv_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
+#include "src/core/csv.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "ricochet/evaluator.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

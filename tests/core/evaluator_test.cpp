@@ -5,9 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "src/core/evaluator.h"
 #include "src/core/instance.h"
-#include "src/core/penalty.h"
-#include "src/core/scorer.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

@@ -1,6 +1,6 @@
-#include "src/core/fnv_hash.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/seed.h"
 
 namespace ricochet {
 namespace {

@@ -1,11 +1,10 @@
-#include "src/core/folder_lock.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "ricochet/error.h"
+#include "src/core/files.h"
 
 namespace ricochet {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/problem.h"
-#include "ricochet/verdict.h"
+#include "ricochet/run.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

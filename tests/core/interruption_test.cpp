@@ -1,11 +1,11 @@
-#include "src/core/interruption.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+
+#include "src/core/progress.h"
 
 namespace ricochet {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/core/isolated_call.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -7,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
+
+#include "src/core/process.h"
 
 namespace ricochet {
 namespace {

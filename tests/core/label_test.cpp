@@ -1,6 +1,6 @@
-#include "src/core/label.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

@@ -1,10 +1,9 @@
-#include "src/core/made_folder.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "ricochet/error.h"
+#include "src/core/files.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

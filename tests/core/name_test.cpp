@@ -1,9 +1,9 @@
-#include "src/core/name.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

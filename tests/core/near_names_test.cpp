@@ -1,6 +1,6 @@
-#include "src/core/near_names.h"
-
 #include <gmock/gmock.h>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

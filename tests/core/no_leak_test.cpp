@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "ricochet/run.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
 
 namespace ricochet {
 namespace {

@@ -1,8 +1,8 @@
-#include "src/core/number_of_text.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

@@ -1,6 +1,6 @@
-#include "src/core/one_line.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

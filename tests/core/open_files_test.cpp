@@ -1,5 +1,3 @@
-#include "src/core/open_files.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "src/core/text_file.h"
+#include "src/core/files.h"
+#include "src/core/process.h"
 
 namespace ricochet {
 namespace {

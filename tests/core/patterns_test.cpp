@@ -1,9 +1,8 @@
-#include "src/core/patterns.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
+#include "src/core/names.h"
 
 namespace ricochet {
 namespace {

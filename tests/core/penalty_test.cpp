@@ -1,7 +1,6 @@
-#include "src/core/penalty.h"
-
 #include <gtest/gtest.h>
 
+#include "src/core/evaluator.h"
 #include "tests/core/hessian_check.h"
 
 namespace ricochet {

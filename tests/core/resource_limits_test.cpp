@@ -1,9 +1,9 @@
-#include "src/core/resource_limits.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "src/core/process.h"
 
 namespace ricochet {
 namespace {

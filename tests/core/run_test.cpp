@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "ricochet/verdict.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

@@ -1,11 +1,10 @@
-#include "src/core/scorer.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "ricochet/evaluator.h"
+#include "src/core/evaluator.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

@@ -1,5 +1,3 @@
-#include "src/core/scratch_folder.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -7,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "src/core/text_file.h"
+#include "src/core/files.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

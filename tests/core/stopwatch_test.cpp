@@ -1,6 +1,6 @@
-#include "ricochet/stopwatch.h"
-
 #include <gtest/gtest.h>
+
+#include "ricochet/evaluator.h"
 
 namespace ricochet {
 namespace {

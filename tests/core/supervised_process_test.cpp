@@ -1,5 +1,3 @@
-#include "src/core/supervised_process.h"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +9,8 @@
 #include <functional>
 #include <string>
 #include <thread>
+
+#include "src/core/process.h"
 
 namespace ricochet {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/core/text_file.h"
-
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -15,6 +13,7 @@
 #include <thread>
 
 #include "ricochet/error.h"
+#include "src/core/files.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

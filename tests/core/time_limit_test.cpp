@@ -1,5 +1,3 @@
-#include "ricochet/time_limit.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "ricochet/evaluator.h"
 #include "src/core/in_parallel.h"
 
 namespace ricochet {

@@ -1,10 +1,9 @@
-#include "src/core/toml_file.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "ricochet/error.h"
+#include "src/core/toml.h"
 
 namespace ricochet {
 namespace {

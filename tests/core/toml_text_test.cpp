@@ -1,11 +1,10 @@
-#include "src/core/toml_text.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "ricochet/error.h"
+#include "src/core/toml.h"
 
 namespace ricochet {
 namespace {

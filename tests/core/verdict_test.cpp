@@ -1,7 +1,6 @@
-#include "ricochet/verdict.h"
-
 #include <gtest/gtest.h>
 
+#include "ricochet/run.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

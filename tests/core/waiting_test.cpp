@@ -1,9 +1,9 @@
-#include "src/core/waiting.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "src/core/process.h"
 
 namespace ricochet {
 namespace {

@@ -1,6 +1,6 @@
-#include "src/core/warning.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/progress.h"
 
 namespace ricochet {
 namespace {

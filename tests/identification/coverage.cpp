@@ -11,14 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/identification/knock_file.h"
-#include "problems/carrier_track/identification/safe_speed.h"
-#include "problems/carrier_track/identification/sensor_faults.h"
-#include "problems/carrier_track/identification/synthetic_knocks.h"
-#include "ricochet/solvers.h"
-#include "src/core/processor_time.h"
-#include "src/core/text_file.h"
+#include "problems/carrier_track/identification/knock_record.h"
+#include "ricochet/solver.h"
+#include "src/core/files.h"
+#include "src/core/run.h"
 #include "src/identification/identified_machine.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 /// How often the intervals of `ricochet identify` hold the truth, by synthetic records of one
 /// machine, each with another phase, other errors and another guess:

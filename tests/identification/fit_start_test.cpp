@@ -1,10 +1,9 @@
-#include "src/identification/fit_start.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "src/identification/knock_fit.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::studies::identification {

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 
-#include "problems/carrier_track/identification/knock_file.h"
-#include "problems/carrier_track/identification/safe_speed.h"
-#include "problems/carrier_track/identification/sensor_faults.h"
-#include "ricochet/solvers.h"
+#include "problems/carrier_track/identification/knock_record.h"
+#include "ricochet/solver.h"
 #include "tests/carrier_track/identification/example_record.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 namespace ricochet::studies::identification {
 namespace {

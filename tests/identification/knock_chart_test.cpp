@@ -1,9 +1,8 @@
-#include "src/identification/knock_chart.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/identification/fit_check.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::studies::identification {

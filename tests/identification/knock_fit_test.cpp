@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
 #include "src/identification/identified_machine.h"
 #include "tests/carrier_track/identification/example_record.h"
 

@@ -20,10 +20,10 @@
 #include <thread>
 #include <vector>
 
-#include "ricochet/families.h"
+#include "ricochet/problem.h"
 #include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/research/suite/families.h"
+#include "src/studies/suite/families.h"
 #include "tests/interface/opened.h"
 
 namespace ricochet {

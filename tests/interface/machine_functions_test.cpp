@@ -11,8 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "ricochet/simulate.h"
-#include "ricochet/threshold.h"
+#include "ricochet/machine.h"
 #include "tests/interface/opened.h"
 
 namespace ricochet::interface {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "ricochet/families.h"
+#include "ricochet/problem.h"
 #include "src/core/instance.h"
-#include "src/research/suite/families.h"
+#include "src/studies/suite/families.h"
 #include "tests/interface/opened.h"
 
 namespace ricochet::interface {

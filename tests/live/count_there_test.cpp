@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 
 namespace ricochet::live {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "ricochet/error.h"
 
 namespace ricochet::live {

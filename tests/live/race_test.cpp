@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/counting/counts.h"
-#include "problems/carrier_track/problems/machine.h"
-#include "problems/carrier_track/problems/top_speed.h"
-#include "src/core/penalty.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "src/core/evaluator.h"
 
 namespace ricochet::live {
 namespace {

@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count_scan.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/machine.h"
-#include "ricochet/regimes.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "src/live/flat_scene.h"
 #include "src/live/race.h"
 

@@ -1,11 +1,10 @@
-#include "solvers/outside/asked_points.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "ricochet/error.h"
+#include "solvers/outside/outside.h"
 
 namespace ricochet::outside {
 namespace {

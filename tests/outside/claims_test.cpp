@@ -1,9 +1,8 @@
-#include "solvers/outside/claims.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
+#include "solvers/outside/plugin.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet::outside {

@@ -1,5 +1,3 @@
-#include "solvers/outside/line_program.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -14,7 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "src/core/waiting.h"
+#include "solvers/outside/line_solver.h"
+#include "src/core/process.h"
 #include "tests/outside/scripts.h"
 
 namespace ricochet::outside {

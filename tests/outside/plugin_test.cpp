@@ -15,8 +15,8 @@
 
 #include "ricochet/error.h"
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
-#include "src/core/isolated_call.h"
+#include "ricochet/solver.h"
+#include "src/core/process.h"
 #include "tests/outside/scripts.h"
 #include "tests/solvers/test_problems.h"
 

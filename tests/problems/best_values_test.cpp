@@ -5,11 +5,11 @@
 #include <cmath>
 #include <set>
 
-#include "problems/carrier_track/problems/best_known.h"
-#include "problems/carrier_track/problems/families.h"
-#include "ricochet/families.h"
-#include "ricochet/verdict.h"
-#include "src/research/paper/calibration_problem.h"
+#include "problems/carrier_track/suite/best_known.h"
+#include "problems/carrier_track/suite/families.h"
+#include "ricochet/problem.h"
+#include "ricochet/run.h"
+#include "src/studies/paper/loss.h"
 
 namespace ricochet {
 namespace {

@@ -1,9 +1,9 @@
 #include "tests/problems/example_problem.h"
 
-#include "problems/carrier_track/counting/wear.h"
-#include "problems/carrier_track/problems/problem_from_function.h"
-#include "problems/carrier_track/problems/speed_problem.h"
-#include "problems/carrier_track/scene/lifted.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/problem_from_function.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 
 /// The problem that CONTRIBUTING.md shows how to add.

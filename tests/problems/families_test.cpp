@@ -1,4 +1,4 @@
-#include "ricochet/families.h"
+#include "problems/carrier_track/suite/families.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <set>
 #include <string>
 
-#include "problems/carrier_track/problems/families.h"
-#include "ricochet/verdict.h"
+#include "ricochet/problem.h"
+#include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
-#include "src/research/suite/families.h"
+#include "src/studies/suite/families.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet {

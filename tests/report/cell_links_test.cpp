@@ -1,5 +1,3 @@
-#include "src/report/cell_links.h"
-
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -7,6 +5,7 @@
 
 #include "src/report/chart_template.h"
 #include "src/report/svg.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,6 +1,6 @@
-#include "src/report/chart_csv.h"
-
 #include <gtest/gtest.h>
+
+#include "src/report/chart.h"
 
 namespace ricochet::report {
 namespace {

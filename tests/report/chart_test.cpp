@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/report/ticks.h"
+#include "src/report/frame.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {

@@ -1,11 +1,11 @@
-#include "src/report/data_text.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
+
+#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {

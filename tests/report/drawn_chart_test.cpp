@@ -1,10 +1,9 @@
-#include "src/report/drawn_chart.h"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <stdexcept>
 
+#include "src/report/drawing.h"
 #include "src/report/svg.h"
 #include "tests/report/read_svg.h"
 #include "tests/report/sample_charts.h"

@@ -1,6 +1,6 @@
-#include "src/report/end_labels.h"
-
 #include <gtest/gtest.h>
+
+#include "src/report/frame.h"
 
 namespace ricochet::report {
 namespace {

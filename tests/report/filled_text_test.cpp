@@ -1,8 +1,8 @@
-#include "src/report/filled_text.h"
-
 #include <gmock/gmock.h>
 
 #include <stdexcept>
+
+#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "src/report/wrapped.h"
+#include "src/report/text.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {

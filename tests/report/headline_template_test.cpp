@@ -1,5 +1,3 @@
-#include "src/report/headline_template.h"
-
 #include <gtest/gtest.h>
 
 #include "src/report/page_template.h"

@@ -1,10 +1,10 @@
-#include "src/report/path_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+
+#include "src/report/svg.h"
 
 namespace ricochet::report {
 namespace {

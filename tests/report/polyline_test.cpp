@@ -1,6 +1,6 @@
-#include "src/report/polyline.h"
-
 #include <gmock/gmock.h>
+
+#include "src/report/svg.h"
 
 namespace ricochet::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/path_data.h"
+#include "src/report/svg.h"
 
 namespace ricochet::report {
 

@@ -1,8 +1,8 @@
-#include "src/report/record_table.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "src/report/page_template.h"
 
 namespace ricochet::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,7 +1,6 @@
-#include "src/report/script_text.h"
-
 #include <gtest/gtest.h>
 
+#include "src/report/drawing.h"
 #include "src/report/json.h"
 
 namespace ricochet::report {

@@ -1,9 +1,9 @@
-#include "src/report/simplified.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "src/report/painted.h"
 
 namespace ricochet::report {
 namespace {

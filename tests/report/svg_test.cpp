@@ -9,7 +9,7 @@
 
 #include "src/report/drawing.h"
 #include "src/report/frame.h"
-#include "src/report/look.h"
+#include "src/report/painted.h"
 #include "tests/report/read_svg.h"
 #include "tests/report/sample_charts.h"
 

@@ -1,6 +1,6 @@
-#include "src/report/wrapped.h"
-
 #include <gmock/gmock.h>
+
+#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,5 +1,3 @@
-#include "solvers/ceres_least_squares.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <set>
 
 #include "ricochet/run.h"
-#include "src/core/scorer.h"
+#include "solvers/ceres.h"
+#include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ricochet/run.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -1,13 +1,12 @@
-#include "solvers/continuation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
-#include "solvers/nlopt/nlopt.h"
+#include "ricochet/solver.h"
+#include "solvers/basic_solvers.h"
+#include "solvers/nlopt.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/problems/families.h"
-#include "problems/classic/families.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/suite/families.h"
+#include "problems/classic/classic.h"
+#include "ricochet/machine.h"
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
 #include "tests/core/infinity.h"
 #include "tests/solvers/test_problems.h"
 

@@ -1,8 +1,7 @@
-#include "solvers/golden_section.h"
-
 #include <gtest/gtest.h>
 
 #include "ricochet/run.h"
+#include "solvers/basic_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

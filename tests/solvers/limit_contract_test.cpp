@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/classic/families.h"
+#include "problems/classic/classic.h"
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
-#include "solvers/nlopt/algorithm.h"
+#include "ricochet/solver.h"
+#include "solvers/nlopt.h"
 #include "src/core/instance.h"
 #include "tests/solvers/test_problems.h"
 

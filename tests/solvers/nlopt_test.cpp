@@ -1,4 +1,4 @@
-#include "solvers/nlopt/nlopt.h"
+#include "solvers/nlopt.h"
 
 #include <gmock/gmock.h>
 #include <malloc.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/classic/multimodal.h"
+#include "problems/classic/functions.h"
 #include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "tests/solvers/test_problems.h"

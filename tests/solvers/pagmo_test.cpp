@@ -1,4 +1,4 @@
-#include "solvers/pagmo/pagmo.h"
+#include "solvers/pagmo.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
-#include "solvers/random_search.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "ricochet/run.h"
+#include "solvers/basic_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

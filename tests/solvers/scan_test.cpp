@@ -1,11 +1,10 @@
-#include "solvers/scan.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "ricochet/run.h"
+#include "solvers/basic_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

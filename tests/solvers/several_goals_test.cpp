@@ -1,11 +1,10 @@
-#include "solvers/several_goals.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "solvers/unit_box.h"
 
 namespace ricochet {
 namespace {

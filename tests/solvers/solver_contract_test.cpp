@@ -9,11 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/count.h"
-#include "problems/carrier_track/problems/top_speed.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/run.h"
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 

@@ -1,13 +1,12 @@
-#include "ricochet/solvers.h"
-
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
 #include "ricochet/error.h"
+#include "ricochet/solver.h"
 #include "solvers/fireworks/fireworks.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -1,5 +1,3 @@
-#include "solvers/varied.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/classic/families.h"
+#include "problems/classic/classic.h"
 #include "ricochet/error.h"
-#include "ricochet/solvers.h"
-#include "solvers/fireworks/bare_bones_fireworks.h"
+#include "ricochet/solver.h"
+#include "solvers/adjustable_solver.h"
+#include "solvers/fireworks/dynamic_fireworks.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

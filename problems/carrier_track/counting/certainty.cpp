@@ -6,16 +6,20 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "problems/carrier_track/counting/feature_comparison.h"
-#include "problems/carrier_track/scene/perturbation.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track::inline counting {
+
 namespace {
 
 using Feature = FeatureTrace::Feature;
@@ -187,6 +191,242 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours
     first.doubt = Doubt::sensitive;
   }
   return give_up(first.doubt, sentence(scene, first, graze, graze_is_given, certainty.growth));
+}
+
+namespace {
+
+// Strides: the fractional parts of the golden ratio and of the square root of two.
+constexpr double golden_stride = 0.6180339887498949;
+constexpr double root_stride = 0.4142135623730950;
+
+bool crosses(const Scene& scene) {
+  return !(scene.wall_upper > scene.wall_lower) ||
+         (scene.across && !(scene.across->wall_upper > scene.across->wall_lower));
+}
+
+}  // namespace
+
+Neighbour::Neighbour(const Scene& given, double stride, double sign)
+    : scene(perturbed(given, stride, sign)), end(duration_of(scene)), trace(scene) {
+  std::visit([](auto& window) { window.count *= 1 + same_time; }, scene.window);
+}
+
+void Neighbour::end_with(const End<double>& last, std::exception_ptr thrown) {
+  failure = std::move(thrown);
+  if (!failure && (!trace.finite() || !std::isfinite(last.position + last.velocity))) {
+    failure = std::make_exception_ptr(std::runtime_error("numbers overflow"));
+  }
+}
+
+Neighbours::Neighbours(const Scene& scene)
+    : all_{{{scene, golden_stride, +1},
+            {scene, golden_stride, -1},
+            {scene, root_stride, +1},
+            {scene, root_stride, -1}}} {}
+
+Neighbours::Side Neighbours::one_side() {
+  simulate_side(0);
+  return {&all_[0], &all_[2]};
+}
+
+const std::array<Neighbour, 4>& Neighbours::all() {
+  simulate_side(0);
+  if (!all_[0].failure) simulate_side(1);
+  return all_;
+}
+
+void Neighbours::simulate_side(std::size_t side) {
+  if (std::exchange(simulated_[side], true)) return;
+  for (Neighbour* n : sound_ones(side)) {
+    try {
+      n->end_with(simulate(n->scene, n->trace), nullptr);
+    } catch (const TimeLimitReached&) {
+      throw;
+    } catch (...) {
+      n->failure = std::current_exception();
+    }
+    if (n->failure) break;
+  }
+}
+
+std::vector<Neighbour*> Neighbours::sound_ones(std::size_t side) {
+  std::vector<Neighbour*> sound;
+  for (const std::size_t k : {side, side + 2}) {
+    Neighbour& n = all_[k];
+    if (crosses(n.scene)) {
+      n.failure = std::make_exception_ptr(std::runtime_error("one wall crosses the other"));
+    } else {
+      sound.push_back(&n);
+    }
+  }
+  return sound;
+}
+
+void FeatureTrace::impact(double time, Wall wall, double speed) {
+  now_ = time;
+  finite_ = finite_ && std::isfinite(time + speed);
+  const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
+  impacts_[kind].push_back(time);
+  if (scene_.rule != CountRule::impacts || speed <= 0) return;
+  const double counting_limit = scene_.counting_limit;
+  tell(kind, is_counted(speed, counting_limit) ? impact_margin(speed, counting_limit)
+                                               : speed / counting_limit - 1);
+}
+
+void FeatureTrace::peak(double time, double position) {
+  // A maximum is reported when the body starts to move down from it, which is now.
+  std::size_t kind = high_peak;
+  const auto keep = [&](double z, double /*left*/) {
+    tell(kind++, z > 0 ? z : std::expm1(z));
+    counting_peak_ = counting_peak_ || (z > 0 && position < scene_.wall_upper);
+  };
+  Features<double, decltype(keep)>(scene_, keep).peak(time, position);
+}
+
+void FeatureTrace::hops(double time, Wall wall) {
+  if (scene_.rule != CountRule::peaks || endless_) return;
+  // Their maxima lie on the upper wall, or arbitrarily near the lower one.
+  const double height = wall == Wall::upper ? scene_.wall_upper : scene_.wall_lower;
+  if (height >= scene_.peak_high || height <= scene_.peak_low) endless_ = Endless{time, wall};
+}
+
+void FeatureTrace::contact(double time, double position, double velocity) {
+  now_ = time;
+  const bool upper = scene_.wall_upper - position < position - scene_.wall_lower;
+  const double inward = upper ? velocity : -velocity;
+  if (inward > 0 && swung_out_) hops(time, upper ? Wall::upper : Wall::lower);
+  swung_out_ = swung_out_ || inward < 0;
+}
+
+double FeatureTrace::reach() const {
+  double reach = 0;
+  for (const double x : {scene_.wall_lower, scene_.wall_upper, scene_.start_position}) {
+    if (std::isfinite(x)) reach = std::max(reach, std::abs(x));
+  }
+  return reach;
+}
+
+void FeatureTrace::tell(std::size_t kind, double scaled) {
+  finite_ = finite_ && std::isfinite(now_ + scaled);
+  features_[kind].push_back({now_, scaled});
+}
+
+void FeatureTrace::turn(double time, double position, Wall ahead) {
+  finite_ = finite_ && std::isfinite(time + position);
+  const double distance =
+      ahead == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+  if (!(distance > 0) || std::isinf(distance)) return;
+  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, ahead, distance};
+}
+
+namespace {
+
+/// Features of two simulations are the same if they differ by at most this in the scaled margin and
+/// by at most Neighbour::same_time in time.
+constexpr double same_margin = 0.1;
+
+/// Beyond this change the path is not nearly linear in its constants.
+constexpr double small_change = 1e-4;
+
+/// Finds for the features of another simulation the same features of this one, for one kind. Call
+/// of() in order of time.
+class Counterparts {
+ public:
+  Counterparts(const std::vector<FeatureTrace::Feature>& others, double duration)
+      : others_(others), within_(Neighbour::same_time * duration) {}
+
+  /// Returns the feature nearest in time, if it is the same feature; else nullptr.
+  const FeatureTrace::Feature* of(const FeatureTrace::Feature& feature) {
+    while (after_ != others_.end() && after_->time < feature.time) ++after_;
+    const FeatureTrace::Feature* best = after_ != others_.end() ? &*after_ : nullptr;
+    if (after_ != others_.begin()) {
+      const FeatureTrace::Feature& before = *std::prev(after_);
+      if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
+    }
+    if (best == nullptr || std::abs(best->time - feature.time) > within_ ||
+        std::abs(best->scaled - feature.scaled) > same_margin) {
+      return nullptr;
+    }
+    return best;
+  }
+
+ private:
+  const std::vector<FeatureTrace::Feature>& others_;
+  double within_;  // [s]
+  std::vector<FeatureTrace::Feature>::const_iterator after_ = others_.begin();
+};
+
+}  // namespace
+
+FeatureComparison::FeatureComparison(const FeatureTrace& given, double given_end,
+                                     const FeatureTrace& other, double other_end) {
+  for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
+    compare(kind, given.features(kind), given_end, other.features(kind), other_end);
+  }
+  is_clear_ = is_clear(given, other);
+  for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
+    find_near_end(kind, given.features(kind), given_end);
+    find_near_end(kind, other.features(kind), other_end);
+  }
+  is_clear_ = is_clear_ && first_.doubt == Doubt::none;
+}
+
+void FeatureComparison::compare(std::size_t kind, const List& given, double given_end,
+                                const List& others, double other_end) {
+  Counterparts in_others(others, given_end);
+  for (const FeatureTrace::Feature& f : given) {
+    nearest_ = std::min(nearest_, std::abs(f.scaled));
+    const FeatureTrace::Feature* other = in_others.of(f);
+    if (other == nullptr) {
+      if (f.counts()) suspect(kind, f, Doubt::graze, given_end);
+      continue;
+    }
+    const double change = std::abs(other->scaled - f.scaled);
+    pairs_.push_back({f.time, change});
+    changed_ = std::max(changed_, change);
+    moved_ = std::max(moved_, std::abs(other->time / other_end - f.time / given_end));
+    if (std::abs(f.scaled) <= std::max(change, perturbation_size)) {
+      suspect(kind, f, Doubt::margin, given_end);
+    }
+  }
+  Counterparts in_given(given, given_end);
+  for (const FeatureTrace::Feature& f : others) {
+    if (f.counts() && f.time < other_end && in_given.of(f) == nullptr) {
+      suspect(kind, f, Doubt::graze, other_end);
+    }
+  }
+}
+
+/// Uses ten times the largest movement, because the movement of an impact just after the end, which
+/// the given trace lacks, is unknown.
+void FeatureComparison::find_near_end(std::size_t kind, const List& features, double end) {
+  for (auto f = features.rbegin(); f != features.rend(); ++f) {
+    if (f->time < (1 - Neighbour::same_time) * end) break;
+    if (!f->counts()) continue;
+    const double left = std::abs(end - f->time);
+    const double near = 10 * end * std::max(moved_, perturbation_size);
+    if (left <= near) suspect(kind, *f, Doubt::window, end);
+    is_clear_ = is_clear_ && left > clear_factor * near;
+  }
+}
+
+void FeatureComparison::suspect(std::size_t kind, const FeatureTrace::Feature& f, Doubt doubt,
+                                double end) {
+  const bool near_end = std::abs(end - f.time) <= Neighbour::same_time * end;
+  if (doubt == Doubt::graze && near_end) doubt = Doubt::window;
+  if (f.time < first_.time) first_ = {f.time, kind, f.margin(), doubt, end - f.time};
+}
+
+bool FeatureComparison::is_clear(const FeatureTrace& given, const FeatureTrace& other) const {
+  const double change = std::max({changed_, moved_, perturbation_size});
+  if (change > small_change || nearest_ <= clear_factor * change) return false;
+  const auto& here = given.graze();
+  const auto& there = other.graze();
+  if (!here && !there) return true;
+  if (!here || !there || here->wall != there->wall) return false;
+  // A path that misses a wall moves with the walls, too, by a share of the coordinates.
+  const double shift = std::abs(here->distance - there->distance) + change * given.reach();
+  return here->distance > clear_factor * shift;
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "problems/carrier_track/counting/certainty.h"
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/fidelity_choice.h"
+#include "problems/carrier_track/counting/count.h"
 #include "ricochet/error.h"
-#include "ricochet/recording.h"
-#include "ricochet/simulate.h"
-#include "ricochet/time_limit.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track::inline counting {
+
 namespace {
 
 class Recorder : public Observer {

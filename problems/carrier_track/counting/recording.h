@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track::inline counting {
 

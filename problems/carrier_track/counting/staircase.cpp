@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "problems/carrier_track/counting/count_in_blocks.h"
-#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/count_scan.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "ricochet/threshold.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track::inline counting {
+
 namespace {
 
 constexpr double per_e_fold = LogarithmicScan::per_e_fold;
@@ -152,6 +156,190 @@ std::optional<Step> Staircase::main_step() const {
         return a.significance < b.significance;  // the first of equals
       });
   return highest == steps.end() ? std::nullopt : std::optional(*highest);
+}
+
+namespace {
+
+/// The median; for an even number of counts the upper of the two middle ones, so that it is one of
+/// the counts.
+int middle_count(std::vector<int> counts) {
+  const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+  std::nth_element(counts.begin(), middle, counts.end());
+  return *middle;
+}
+
+/// The number of counts before the best split into counts <= `limit` and counts > `limit`.
+double speeds_before(const std::vector<int>& counts, int limit) {
+  // With a quiet speed first and a loud one last, a split always exists.
+  SpeedScan closed{1, {std::numeric_limits<int>::min()}};
+  closed.counts.insert(closed.counts.end(), counts.begin(), counts.end());
+  closed.counts.push_back(std::numeric_limits<int>::max());
+  return *best_split(closed, limit).speed - 1.5;
+}
+
+}  // namespace
+
+std::optional<StepSharpness> step_sharpness(const SpeedScan& scan, double threshold, double limit,
+                                            double reach) {
+  std::vector<int> below, above;
+  for (std::size_t k = 0; k < scan.counts.size(); ++k) {
+    const double omega = scan.omega(k);
+    if (omega < threshold / reach || omega > threshold * reach) continue;
+    (omega < threshold ? below : above).push_back(scan.counts[k]);
+  }
+  if (below.empty() || above.empty()) return std::nullopt;
+
+  StepSharpness result{threshold, middle_count(below), middle_count(above), 0, 0, Rise::none};
+  const auto loud =
+      std::count_if(above.begin(), above.end(), [&](int count) { return count > limit; });
+  result.persistence = static_cast<double>(loud) / static_cast<double>(above.size());
+
+  std::vector<int> both = below;
+  both.insert(both.end(), above.begin(), above.end());
+  result.width = scan.step * std::max(0.0, speeds_before(both, result.after - 1) -
+                                               speeds_before(both, result.before));
+
+  if (result.persistence >= least_persistence) {
+    const bool sharp = result.after >= quiet_limit(result.before) && result.after > result.before &&
+                       result.width <= widest_step * threshold;
+    result.rise = sharp ? Rise::step : Rise::climb;
+  }
+  return result;
+}
+
+namespace {
+
+/// The largest step, as a share of the speed, and in rad/s.
+constexpr double widest_share = 0.05;
+constexpr double widest = 0.05;
+
+class Scan {
+ public:
+  Scan(const Scene& scene, const CompleteScanOptions& options) : scene_(scene), options_(options) {}
+
+  /// Returns false if it takes too many simulations.
+  bool cover(double lowest, double highest) {
+    MotionSketch here = sketch(lowest);
+    add(here);
+    constexpr double head_start = 500;
+    while (here.omega() < highest) {
+      const double step = std::min(widest, widest_share * here.omega());
+      const double done = (here.omega() + step - lowest) / (highest - lowest);
+      allowed_ = static_cast<std::int64_t>(head_start + done * static_cast<double>(options_.most));
+      MotionSketch next = sketch(std::min(highest, here.omega() + step));
+      if (!join(here, next)) return false;
+      here = std::move(next);
+    }
+    return true;
+  }
+
+  CompleteScan take() { return std::move(scan_); }
+
+ private:
+  MotionSketch sketch(double omega) {
+    ++scan_.simulations;
+    return MotionSketch(scene_, omega);
+  }
+
+  bool join(const MotionSketch& a, const MotionSketch& b) {
+    if (a.joins(b)) {
+      scan_.pieces.back().to = b.omega();
+      return true;
+    }
+    if (b.omega() - a.omega() <= options_.resolution) {
+      add(b);
+      return true;
+    }
+    if (scan_.simulations >= allowed_) return false;
+    const MotionSketch middle = sketch((a.omega() + b.omega()) / 2);
+    return join(a, middle) && join(middle, b);
+  }
+
+  void add(const MotionSketch& at) {
+    auto& pieces = scan_.pieces;
+    if (!pieces.empty() && pieces.back().count == at.count()) {
+      pieces.back().to = at.omega();
+    } else {
+      pieces.push_back({at.omega(), at.omega(), at.count()});
+    }
+  }
+
+  const Scene& scene_;
+  const CompleteScanOptions& options_;
+  std::int64_t allowed_ = 0;  // simulations, up to here
+  CompleteScan scan_;
+};
+
+}  // namespace
+
+std::optional<CountPiece> CompleteScan::first_above(double limit) const {
+  for (const CountPiece& piece : pieces) {
+    if (piece.count > limit) return piece;
+  }
+  return std::nullopt;
+}
+
+std::optional<CompleteScan> scan_completely(const Scene& scene, double lowest, double highest,
+                                            const CompleteScanOptions& options) {
+  if (!suits_lanes(at_speed(scene, lowest))) {
+    throw std::invalid_argument("only impacts on hard walls at constant speed can be scanned so");
+  }
+  Scan scan(scene, options);
+  if (!scan.cover(lowest, highest)) return std::nullopt;
+  return scan.take();
+}
+
+std::vector<QuietInterval> quiet_intervals(const SpeedScan& scan, double limit) {
+  std::vector<QuietInterval> quiet_intervals;
+  bool within = false;
+  for (std::size_t k = 0; k < scan.counts.size(); ++k) {
+    const bool quiet = scan.counts[k] <= limit;
+    if (quiet && !within) quiet_intervals.push_back({scan.omega(k), scan.omega(k)});
+    if (quiet) quiet_intervals.back().to = scan.omega(k);
+    within = quiet;
+  }
+  return quiet_intervals;
+}
+
+namespace {
+
+constexpr double longest_part = 0.25;     // [rad/s], of a part that is scanned at once
+constexpr double shortest_part = 0.0625;  // [rad/s], parts that fail are halved down to this
+constexpr CompleteScanOptions part_options{1e-6, 500};
+
+/// Adds a range that touches the last one to it.
+void hold(std::vector<CoordinateRange>& ranges, CoordinateRange range) {
+  if (!ranges.empty() && range.from <= ranges.back().to + 2 * part_options.resolution) {
+    ranges.back().to = range.to;
+  } else {
+    ranges.push_back(range);
+  }
+}
+
+void search_part(const Scene& scene, CoordinateRange part, double most,
+                 std::vector<CoordinateRange>& ranges) {
+  if (const auto scan = scan_completely(scene, part.from, part.to, part_options)) {
+    for (const CountPiece& piece : scan->pieces) {
+      if (piece.count <= most) hold(ranges, {piece.from, piece.to});
+    }
+  } else if (part.to - part.from < 1.5 * shortest_part) {
+    hold(ranges, part);
+  } else {
+    const double middle = (part.from + part.to) / 2;
+    search_part(scene, {part.from, middle}, most, ranges);
+    search_part(scene, {middle, part.to}, most, ranges);
+  }
+}
+
+}  // namespace
+
+std::vector<CoordinateRange> not_excluded(const Scene& scene, double lowest, double highest,
+                                          double most) {
+  std::vector<CoordinateRange> ranges;
+  for (double from = lowest; from < highest; from += longest_part) {
+    search_part(scene, {from, std::min(from + longest_part, highest)}, most, ranges);
+  }
+  return ranges;
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -6,12 +6,12 @@
 #include <map>
 #include <span>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/count_in_blocks.h"
-#include "problems/carrier_track/counting/counts.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track::inline counting {
+
 namespace {
 
 double median(std::vector<int> values) {

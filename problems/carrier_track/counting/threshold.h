@@ -5,13 +5,26 @@
 #include <optional>
 #include <vector>
 
-#include "problems/carrier_track/counting/claim.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "ricochet/threshold.h"
 
-/// Defines the threshold of a staircase of counts, and the other parts of the score of an
-/// interpretation of the paper (paper.md, section 6).
 namespace ricochet::carrier_track::inline counting {
+
+/// The two speeds [rad/s] at which a published figure shows x(t).
+struct Figure {
+  int number;
+  double quiet, loud;
+};
+
+/// Published values of a machine, for comparison; without value if not published.
+struct Claim {
+  std::optional<double> threshold;  ///< [rad/s]
+  std::optional<int> quiet_count;   ///< the count below the threshold
+  std::optional<Figure> figure;
+};
+
+// Defines the threshold of a staircase of counts, and the other parts of the score of an
+// interpretation of the paper (paper.md, section 6).
 
 /// The collision count at a speed [rad/s]. May be called from several threads at once.
 using CountAt = std::function<int(double omega)>;

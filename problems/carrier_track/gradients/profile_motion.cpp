@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "problems/carrier_track/flight/ramp_forces.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
+#include "problems/carrier_track/motion/forces.h"
+#include "problems/carrier_track/scene/contact_law.h"
 
 namespace ricochet::carrier_track::inline gradients {
 

@@ -1,15 +1,220 @@
 #pragma once
 
+#include <ceres/jet.h>
+
+#include <Eigen/Core>
 #include <cstddef>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "problems/carrier_track/flight/plate_ramp.h"
-#include "problems/carrier_track/gradients/event_terms.h"
-#include "problems/carrier_track/gradients/leg_record.h"
-#include "problems/carrier_track/gradients/linear_leg.h"
+#include "problems/carrier_track/motion/flight.h"
+#include "problems/carrier_track/motion/forces.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/motion/observer.h"
+#include "problems/carrier_track/motion/profile_forces.h"
+#include "problems/carrier_track/motion/ramp_flight.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::carrier_track::inline gradients {
+
+/// What ends a leg.
+enum class LegEnd {
+  cut,     ///< no event of a flight: a knot of the profile, the reach of a series, a release
+  impact,  ///< on the wall ahead
+  turn     ///< the velocity reaches zero
+};
+
+/// A part of a motion, a flight or a rest, in which the forces are one power series.
+struct MotionLeg {
+  double start;     ///< [s]
+  double duration;  ///< [s]
+  double velocity;  ///< [m/s] at its start
+  bool rests;       ///< the body is at rest
+  LegEnd end = LegEnd::cut;
+  int direction = 0;    ///< of the flight that contains the leg, or follows it: +1 up, -1 down
+  double speed = 0;     ///< [m/s], approach speed of an impact
+  double position = 0;  ///< [m], where the event is
+  bool peak = false;    ///< the event is a local maximum
+};
+
+/// Records the legs of a motion under a speed profile up to its last impact or turning point.
+class LegRecord : public Observer {
+ public:
+  LegRecord() { legs_.reserve(256); }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    legs_.push_back({time, duration, path.velocity, std::is_same_v<Path, Flight<double>>});
+  }
+
+  void impact(double /*time*/, Wall wall, double speed) { end(LegEnd::impact, wall).speed = speed; }
+
+  void turn(double /*time*/, double position, Wall ahead) {
+    end(LegEnd::turn, ahead).position = position;
+  }
+
+  /// A maximum is reported when the body leaves it, before any other event.
+  void peak(double /*time*/, double position) {
+    MotionLeg& summit = legs_[ended_ - 1];
+    summit.position = position;
+    summit.peak = true;
+  }
+
+  std::vector<MotionLeg> legs() && {
+    legs_.resize(ended_);
+    return std::move(legs_);
+  }
+
+ private:
+  /// Ends the last leg at an event.
+  MotionLeg& end(LegEnd by, Wall ahead) {
+    const int direction = ahead == Wall::upper ? +1 : -1;
+    for (; ended_ < legs_.size(); ++ended_) legs_[ended_].direction = direction;
+    legs_.back().end = by;
+    return legs_.back();
+  }
+
+  std::vector<MotionLeg> legs_;
+  std::size_t ended_ = 0;  // legs up to the last event
+};
+
+/// The derivatives of the motion at the end of a flight of a given duration with respect to what
+/// the forces depend on: the angle, the speed and the slope of the driver plate at its start, and,
+/// for the disturbance, the time of the start. The forces do not depend on position or velocity, so
+/// these add to what free motion makes of those.
+template <class Scalar>
+struct LegResponse {
+  Motion<Scalar> by_angle, by_speed, by_slope, by_start;
+};
+
+/// The response of a flight of this duration [s] that starts at `start` [s].
+template <class Scalar>
+LegResponse<Scalar> response_of(const PlateForces<double>& plate,
+                                const Harmonic<double>& disturbance, const Scalar& start,
+                                const PlateRamp<Scalar>& ramp, double duration) {
+  const RotationTaylor<Scalar> turning(ramp.angle, ramp.speed, ramp.slope);
+  const RampPartials<Scalar> partials(plate, ramp.speed, ramp.slope, turning);
+  const auto integrated = [duration](const Series<Scalar>& series) {
+    const Motion<Scalar> by = integrals(series, duration);
+    return Motion<Scalar>{by.position * (duration * duration), by.velocity * duration,
+                          by.acceleration};
+  };
+  LegResponse<Scalar> response{integrated(partials.by_alpha),
+                               integrated(partials.by_omega),
+                               integrated(partials.by_slope),
+                               {}};
+  if (disturbance.cosine != 0 || disturbance.sine != 0) {
+    const auto [cosine, sine, frequency] = after(disturbance, start);
+    const Swung<Scalar> by =
+        swung<Scalar>({-frequency * sine, frequency * cosine, frequency}, Scalar(duration));
+    response.by_start = {by.position, by.velocity, by.cosine};
+  }
+  return response;
+}
+
+/// A flight linearised, with the event that ends it: all that a sweep needs. Scalar is double, or a
+/// dual along directions of the knots' speeds.
+template <class Scalar>
+struct LinearLeg {
+  Scalar start;               ///< [s]
+  Scalar duration;            ///< [s]
+  Scalar velocity;            ///< [m/s] at its end
+  Scalar by_time;             ///< derivatives of the event's term, see EventTerm
+  Scalar by_state;            ///< the same
+  PlateRamp<double> release;  ///< of the start with respect to the ramp there, after a rest
+  PlateRamp<Scalar> ramp{};   ///< at its start
+  Scalar acceleration{};      ///< [m/s^2] at its end, if its start or its end may move
+  LegResponse<Scalar> response{};
+};
+
+// What an adjoint sweep needs of a sum over the events of a motion, an EventSum of event_sums.h.
+
+/// The derivatives of the term of one event with respect to its time [s] and to its state: the
+/// approach speed of an impact [m/s], or the position of a turning point [m].
+struct EventTerm {
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d curvature = Eigen::Matrix2d::Zero();
+};
+
+/// A sum over a motion, and the motion.
+struct SummedMotion {
+  double value;
+  std::vector<MotionLeg> legs;
+};
+
+/// Simulates a valid scene of fidelity impact with a speed profile.
+template <class EventSum>
+SummedMotion summed_motion(const EventSum& of, const Scene& scene) {
+  auto sum = of.over(scene);
+  LegRecord record;
+  ObserverPair both(sum, record);
+  ImpactModel<double, ProfileForces<double>>(scene).run(both);
+  return {sum.total(), std::move(record).legs()};
+}
+
+namespace detail {
+
+/// What the event at the end of a leg adds to an empty sum.
+template <class Scalar, class Sum>
+Scalar term_of(Sum sum, const MotionLeg& leg, const Scalar& time, const Scalar& state) {
+  if (leg.end == LegEnd::impact) {
+    sum.impact(time, leg.direction > 0 ? Wall::upper : Wall::lower, state);
+    if (leg.peak) sum.peak(time, constant<Scalar>(leg.position));
+  } else if (leg.peak) {
+    sum.peak(time, state);
+  }
+  return sum.total();
+}
+
+/// Copies the derivatives of a term.
+inline void keep(const ceres::Jet<double, 2>& term, EventTerm& result) {
+  result.slope = term.v;
+}
+
+inline void keep(const ceres::Jet<ceres::Jet<double, 2>, 2>& term, EventTerm& result) {
+  for (int i = 0; i < 2; ++i) {
+    result.slope[i] = term.v[i].a;
+    result.curvature.row(i) = term.v[i].v;
+  }
+}
+
+/// A dual with derivatives up to an order along a direction, 0 or 1.
+template <int order>
+auto input(double value, int direction) {
+  using Dual = ceres::Jet<double, 2>;
+  if constexpr (order == 1) {
+    return Dual(value, direction);
+  } else {
+    return ceres::Jet<Dual, 2>(Dual(value, direction), direction);
+  }
+}
+
+}  // namespace detail
+
+/// The derivatives of the terms up to an order, 1 or 2, one for each leg of a motion of `scene`.
+template <int order, class EventSum>
+std::vector<EventTerm> event_terms(const EventSum& of, Scene scene,
+                                   const std::vector<MotionLeg>& legs) {
+  using Dual = decltype(detail::input<order>(0, 0));
+  scene.profile.clear();
+  const BasicScene<Dual> constants = lifted<Dual>(scene);
+  const auto nothing = of.over(constants);
+  std::vector<EventTerm> terms(legs.size());
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const MotionLeg& leg = legs[i];
+    if (leg.end == LegEnd::cut) continue;
+    const double state = leg.end == LegEnd::impact ? leg.speed : leg.position;
+    const Dual term =
+        detail::term_of(nothing, leg, detail::input<order>(leg.start + leg.duration, 0),
+                        detail::input<order>(state, 1));
+    detail::keep(term, terms[i]);
+  }
+  return terms;
+}
 
 /// A motion under a speed profile as legs, each of which lies between two knots.
 class ProfileMotion {
@@ -109,5 +314,34 @@ void complete(const ProfileMotion& motion, const std::vector<PlateRamp<Scalar>>&
 /// The flights of a motion, linearised, with these terms, one for each leg.
 std::vector<LinearLeg<double>> linear_legs(const ProfileMotion& motion,
                                            const std::vector<EventTerm>& terms);
+
+/// The speeds of knots that are a shape x scaled to a given mean:
+///   speed k = scale x_k, with a scale inversely proportional to weights . x,
+/// so that its derivatives are d speed k / d x_i = scale [i = k] - speed k share i.
+struct ShapedKnots {
+  double scale;   ///< [rad/s]
+  Vector speeds;  ///< [rad/s], length n
+  Vector share;   ///< weights / (weights . x), length n
+
+  /// The gradient with respect to the shape, from that with respect to the speeds.
+  Vector gradient(const Vector& by_speeds) const {
+    return scale * by_speeds - speeds.dot(by_speeds) * share;
+  }
+
+  /// How the speeds change along directions of the shape, the columns of a matrix.
+  Matrix along(const Matrix& directions) const {
+    return scale * directions - speeds * (share.transpose() * directions);
+  }
+
+  /// How the gradient changes along these directions; `changes` has how that with respect to the
+  /// speeds changes.
+  Matrix change(const Vector& by_speeds, const Matrix& changes, const Matrix& directions) const {
+    const Eigen::RowVectorXd shrinks = share.transpose() * directions;
+    const Eigen::RowVectorXd turns =
+        speeds.transpose() * changes + by_speeds.transpose() * along(directions);
+    return scale * (changes - by_speeds * shrinks) -
+           share * (turns - speeds.dot(by_speeds) * shrinks);
+  }
+};
 
 }  // namespace ricochet::carrier_track::inline gradients

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "problems/carrier_track/gradients/adjoint_sweep.h"
-#include "problems/carrier_track/gradients/gauge_rows.h"
-#include "problems/carrier_track/gradients/second_sweep.h"
-#include "problems/carrier_track/gradients/tangent_sweep.h"
-#include "problems/carrier_track/gradients/trust.h"
+#include "problems/carrier_track/gradients/derivatives.h"
+#include "problems/carrier_track/gradients/sweeps.h"
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track::inline gradients {
+
 namespace {
 
 /// Collects the limits on derivatives as TrustWatch does.
@@ -69,6 +68,20 @@ Matrix detail::shape_curvature(const Scene& scene, SummedMotion summed,
   const auto legs = linear_legs(motion, terms);
   const Matrix changes = SecondSweep(motion, legs, terms).along(knots.along(directions));
   return knots.change(vector_of(swept_back(motion, legs)), changes, directions);
+}
+
+Slope surrogate_slope(const Scene& scene, double smoothing, double range) {
+  using Jet = ceres::Jet<double, 1>;
+  BasicScene<Jet> dual = lifted<Jet>(scene);
+  dual.omega.v[0] = 1.0;
+  const Vector smoothings = Vector::Constant(1, range);
+  TrustGauge<Jet> gauge(smoothings, 0);
+  auto watcher = gauge.of(dual);
+  const Jet result = objective(dual, smoothing, watcher);
+  const double slope = result.v[0];
+  return {result.a, slope,
+          trust_of(std::pow(gauge.steepest(), 2), std::pow(gauge.growth(), 2),
+                   std::abs(slope) * range)};
 }
 
 }  // namespace ricochet::carrier_track::inline gradients

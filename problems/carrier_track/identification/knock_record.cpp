@@ -1,11 +1,20 @@
 #include "problems/carrier_track/identification/knock_record.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/error.h"
+#include "ricochet/machine.h"
+#include "src/core/csv.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
+
 namespace ricochet::carrier_track::inline identification {
+
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -87,6 +96,225 @@ PlateMeasurement plate_measurement(const KnockRecord& record, const std::vector<
   const double spread = angle_deviation * angle_deviation;
   information -= of_phase * of_phase.transpose() * (spread / (1 + spread * of_phase[0]));
   return {line[0], std::log(line[1]), information, std::sqrt(of_mark)};
+}
+
+namespace {
+
+constexpr double most_turns = 10'000;
+
+void check_times(const CsvTable& table, double gap) {
+  const std::vector<double>& times = table.column("time");
+  table.require(
+      "time", [](auto, double t) { return std::abs(t) <= 1e12; }, "within +-1e12 s");
+  table.require(
+      "time", [&](std::size_t i, double t) { return i == 0 || t >= times[i - 1] + gap; },
+      gap > 0 ? "later than the one before by at least 1e-6 s" : "no earlier than the one before");
+}
+
+void check_speeds(const CsvTable& table) {
+  table.require(
+      "omega", [](auto, double omega) { return omega >= 0 && omega <= fastest_frequency; },
+      "within 0..1e9 rad/s");
+}
+
+constexpr double shortest_gap = 1e-6;  // [s], between speeds
+
+std::vector<SpeedKnot<double>> speeds_of(const CsvTable& table) {
+  const std::vector<double>& times = table.column("time");
+  const std::vector<double>& speeds = table.column("omega");
+  std::vector<SpeedKnot<double>> result;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!result.empty() && times[i] < result.back().time + shortest_gap) continue;
+    result.push_back({times[i], speeds[i]});
+  }
+  return result;
+}
+
+std::vector<SpeedKnot<double>> speed_of(const KnockFiles& files, const CsvTable& knocks) {
+  const bool in_knocks = knocks.find("omega") != nullptr;
+  const int sources = (files.omega ? 1 : 0) + (files.speed.empty() ? 0 : 1) + (in_knocks ? 1 : 0);
+  if (sources != 1) {
+    throw InputError(
+        fmt::format("{}: the speed of the plate must come from {} --omega, --speed "
+                    "FILE and the column omega",
+                    files.knocks, sources == 0 ? "one of" : "only one of"));
+  }
+  if (files.omega) {
+    if (!(*files.omega > 0 && *files.omega <= fastest_frequency)) {
+      throw InputError(fmt::format("--omega {}: must be > 0 and at most 1e9 rad/s", *files.omega));
+    }
+    return {{knocks.column("time").front(), *files.omega}};
+  }
+  if (in_knocks) {
+    check_speeds(knocks);
+    return speeds_of(knocks);
+  }
+  const CsvTable table = read_csv_table(files.speed, {"time", "omega"});
+  check_times(table, shortest_gap);
+  check_speeds(table);
+  return speeds_of(table);
+}
+
+/// What a speed in another unit would be: `factor` is the speed as recorded over that in rad/s.
+std::string unit_of(double factor) {
+  struct Unit {
+    double factor;
+    const char* name;
+  };
+  constexpr double turn = 2 * std::numbers::pi;
+  constexpr Unit units[] = {
+      {60 / turn, "rpm"}, {1 / turn, "turns per second"}, {360 / turn, "degrees per second"}};
+  for (const Unit& unit : units) {
+    if (std::abs(std::log(factor / unit.factor)) < 0.1) {
+      return fmt::format(": are the speeds in {}, not in rad/s?", unit.name);
+    }
+  }
+  return factor > 0.4 && factor < 0.6 ? ": are there two marks on the plate?"
+                                      : ": are the speeds in rad/s?";
+}
+
+/// Most turns between marks may miss one or two; none may be far from a whole turn.
+void check_marks(const KnockFiles& files, const KnockRecord& record,
+                 const std::vector<double>& marks) {
+  std::vector<double> turns;
+  for (std::size_t i = 1; i < marks.size(); ++i) {
+    turns.push_back(angle_between(record.speed, marks[i - 1], marks[i]) / (2 * std::numbers::pi));
+  }
+  std::ranges::nth_element(turns, turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2));
+  const double turn = turns[turns.size() / 2];
+  const double whole = std::clamp(std::round(turn), 1.0, 3.0);
+  if (std::abs(turn / whole - 1) <= 0.15) return;
+  throw InputError(
+      fmt::format("{}: from mark to mark the plate makes {:.3g} turns by its speeds: must be "
+                  "within 0.85..1.15{}",
+                  files.marks, turn, unit_of(turn)));
+}
+
+/// Of the shorter of two files at least half must be within the times of the other.
+void check_overlap(const KnockFiles& files, const std::vector<double>& knocks,
+                   const std::string& other, double from, double to) {
+  const double both = std::min(to, knocks.back()) - std::max(from, knocks.front());
+  if (both >= std::min(to - from, knocks.back() - knocks.front()) / 2) return;
+  throw InputError(fmt::format(
+      "{}: the knocks ({:.6g} to {:.6g} s) and {} ({:.6g} to {:.6g} s) have {:.4g} s in common: "
+      "must be at least half of the shorter one: do the clocks differ?",
+      files.knocks, knocks.front(), knocks.back(), other, from, to, std::max(both, 0.0)));
+}
+
+void check_deviations(const KnockFiles& files) {
+  if (!(files.mark_deviation >= 0 && files.mark_deviation <= 0.5)) {
+    throw InputError(
+        fmt::format("--mark-deviation {}: must be within 0..0.5 rad", files.mark_deviation));
+  }
+  if (!(files.lag_deviation >= 0 && files.lag_deviation <= 0.1)) {
+    throw InputError(
+        fmt::format("--lag-deviation {}: must be within 0..0.1 s", files.lag_deviation));
+  }
+}
+
+void add_marks(const KnockFiles& files, KnockRecord& record, const std::vector<double>& marks) {
+  if (!std::isfinite(files.mark_angle)) throw InputError("--mark-angle: must be a finite number");
+  if (marks.size() < 3) throw InputError(files.marks + ": must have at least three marks");
+  check_marks(files, record, marks);
+  record.plate = plate_measurement(record, marks, files.mark_angle, files.mark_deviation);
+}
+
+void check_turns(const KnockFiles& files, const KnockRecord& record) {
+  const double turns = angle_between(record.speed, record.from, record.to) / (2 * std::numbers::pi);
+  if (turns >= 2 && turns <= most_turns) return;
+  throw InputError(fmt::format("{}: the plate makes {:.3g} turns in {:.4g} s: must be 2 to 10000",
+                               files.knocks, turns, record.duration()));
+}
+
+/// A carrier that is thrown knocks at least twice a turn.
+void check_knocks_a_turn(const KnockFiles& files, const KnockRecord& record,
+                         const std::vector<double>& knocks) {
+  constexpr double fewest = 1;
+  const double turns =
+      angle_between(record.speed, knocks.front(), knocks.back()) / (2 * std::numbers::pi);
+  const double a_turn = static_cast<double>(knocks.size()) / turns;
+  if (a_turn >= fewest) return;
+  throw InputError(fmt::format(
+      "{}: {} knocks in {:.4g} turns of the plate are {:.2g} a turn: must be at least {}: are the "
+      "speeds of {} in rad/s, not in rpm or degrees per second? Leave out times without knocks",
+      files.knocks, knocks.size(), turns, a_turn, fewest,
+      files.omega ? "--omega" : (files.speed.empty() ? files.knocks : files.speed)));
+}
+
+}  // namespace
+
+KnockRecord read_knock_record(const KnockFiles& files) {
+  check_deviations(files);
+  const CsvTable table = read_csv_table(files.knocks, {"time", "strength", "omega"});
+  check_times(table, 0);
+  const std::vector<double>& times = table.column("time");
+  if (times.size() < fewest_knocks) {
+    throw InputError(fmt::format("{}: {} knocks: must have at least {}", files.knocks, times.size(),
+                                 fewest_knocks));
+  }
+  const std::vector<double>* strengths = table.find("strength");
+  if (strengths != nullptr) {
+    table.require(
+        "strength", [](auto, double x) { return x > 0; }, "> 0");
+  }
+  KnockRecord record;
+  record.lag_deviation = files.lag_deviation;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    record.knocks.push_back({times[i]});
+    if (strengths != nullptr) record.knocks.back().strength = (*strengths)[i];
+  }
+  record.speed = speed_of(files, table);
+  record.from = std::min(times.front(), record.speed.front().time);
+  record.to = std::max(times.back(), record.speed.back().time);
+  if (record.speed.size() > 1) {
+    check_overlap(files, times, files.speed.empty() ? files.knocks : files.speed,
+                  record.speed.front().time, record.speed.back().time);
+  }
+  std::vector<double> marks;
+  if (!files.marks.empty()) {
+    const CsvTable marked = read_csv_table(files.marks, {"time"});
+    check_times(marked, shortest_gap);
+    marks = marked.column("time");
+    check_overlap(files, times, files.marks, marks.front(), marks.back());
+    record.from = std::min(record.from, marks.front());
+    record.to = std::max(record.to, marks.back());
+  }
+  check_turns(files, record);
+  if (!files.marks.empty()) add_marks(files, record, marks);
+  check_knocks_a_turn(files, record, times);
+  take_out_sensor_faults(record);
+  if (record.knocks.size() < fewest_knocks) {
+    throw InputError(
+        fmt::format("{}: {} knocks without echoes and rows at one time: must have at "
+                    "least {}",
+                    files.knocks, record.knocks.size(), fewest_knocks));
+  }
+  return record;
+}
+
+void check_identifiable(const Scene& scene, const std::string& origin) {
+  const auto require = [&](bool holds, const char* key, const char* demand) {
+    if (!holds) throw InputError(fmt::format("{}: {}: must be {}", origin, key, demand));
+  };
+  require(scene.fidelity == Fidelity::impact, "model.fidelity",
+          "impact: only it carries derivatives");
+  require(scene.restitution_lower == scene.restitution_upper, "scene.restitution",
+          "the same for both walls: knocks identify one");
+  require(std::isfinite(scene.wall_upper), "scene.wall_upper", "finite");
+  require(scene.friction > 0 && scene.normal_force > 0, "scene.friction",
+          "> 0, and so must scene.normal_force: friction sets when the carrier leaves a wall");
+  require(scene.centrifugal_mass_radius > 0, "scene.centrifugal_mass_radius",
+          "> 0: it throws the carrier");
+  require(scene.disturbance == 0, "scene.disturbance", "0: its phase in a record is not known");
+}
+
+std::optional<double> safe_speed(const Scene& scene, double fastest) {
+  Scene from_rest = at_speed(scene, fastest);
+  from_rest.start_position = scene.wall_lower;
+  from_rest.start_velocity = 0;
+  const RegimeOptions range{fastest / 200, fastest};
+  const double quiet = quiet_up_to(from_rest, quiet_per_turn, range).value_or(range.from);
+  return quiet < fastest ? std::optional(quiet) : std::nullopt;
 }
 
 }  // namespace ricochet::carrier_track::inline identification

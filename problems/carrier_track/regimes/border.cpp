@@ -3,15 +3,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
+#include "problems/carrier_track/motion/forces.h"
 #include "problems/carrier_track/regimes/count_border.h"
-#include "problems/carrier_track/regimes/fold.h"
-#include "problems/carrier_track/regimes/release_margin.h"
-#include "src/core/bracketed_root.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "src/core/numeric.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr double narrow = 1e-13;     // relative width at which a bracket is a border
@@ -227,6 +230,110 @@ Border<SteadyMotion> first_border(const SteadyMotion& near, const SteadyMotion& 
 
 Border<DisturbedMotion> first_border(const DisturbedMotion& near, const DisturbedMotion& far) {
   return border_within<DisturbedMotion>({near, far});
+}
+
+namespace {
+
+constexpr double difference = 1e-7;  // relative, of the margin's derivatives
+
+double margin_of(const OrbitMap& map) {
+  const MapInvariants invariants = invariants_of(map, Rest::never);
+  return 1 - invariants.trace + invariants.determinant;
+}
+
+double margin_at(Scene scene, const Eigen::Vector3d& step) {
+  scene.start_position += step[0];
+  scene.start_velocity += step[1];
+  scene.omega += step[2];
+  return margin_of(map_of(scene, Rest::never));
+}
+
+}  // namespace
+
+std::optional<double> fold_near(const SteadyMotion& orbit) {
+  Scene scene = orbit.orbit;
+  const double height = std::max(std::abs(scene.start_position - scene.wall_lower), 1e-12);
+  const Eigen::Vector3d scales =
+      difference * Eigen::Vector3d(height, orbit.fastest_impact(), scene.omega);
+  for (int i = 0; i < 30; ++i) {
+    const OrbitMap map = map_of(scene, Rest::never);
+    const double margin = margin_of(map);
+    Eigen::Matrix3d jacobian;
+    for (int k = 0; k < 3; ++k) {
+      jacobian(0, k) = map.position.v[k] - (k == OrbitMap::position_index ? 1 : 0);
+      jacobian(1, k) = map.velocity.v[k] - (k == OrbitMap::velocity_index ? 1 : 0);
+      const Eigen::Vector3d step = scales.cwiseProduct(Eigen::Vector3d::Unit(k));
+      jacobian(2, k) = (margin_at(scene, step) - margin) / scales[k];
+    }
+    const Eigen::Vector3d miss(map.position.a - scene.start_position,
+                               map.velocity.a - scene.start_velocity, margin);
+    const Eigen::Vector3d step = jacobian.fullPivLu().solve(miss);
+    if (!step.allFinite()) return std::nullopt;
+    scene.start_position -= step[0];
+    scene.start_velocity -= step[1];
+    scene.omega -= step[2];
+    const bool inside = scene.start_position >= scene.wall_lower &&
+                        scene.start_position <= scene.wall_upper &&
+                        std::abs(scene.omega / orbit.omega() - 1) < 1e-2;
+    if (!inside) return std::nullopt;
+    if (std::abs(step[2]) <= 1e-13 * scene.omega && std::abs(margin) < 1e-9) return scene.omega;
+  }
+  return std::nullopt;
+}
+
+bool keeps_sign(const Margin& a, const Margin& b, double step) {
+  if ((a.value > 0) != (b.value > 0)) return false;
+  const double sign = a.value > 0 ? 1 : -1;
+  const double from = sign * a.value, to = sign * b.value;
+  const double leaves = sign * step * a.slope, arrives = sign * step * b.slope;
+  const double surprise = std::abs(to - from - (leaves + arrives) / 2);
+  if (surprise > 0.5 * (from + to)) return false;
+  const double square = 3 * (to - from) - 2 * leaves - arrives;
+  const double cube = leaves + arrives - 2 * (to - from);
+  // The least value within the step, where 3 cube t^2 + 2 square t + leaves = 0 and it rises.
+  const double root = square * square - 3 * cube * leaves;
+  if (root < 0) return true;
+  const double t =
+      square > 0 ? -leaves / (square + std::sqrt(root)) : (std::sqrt(root) - square) / (3 * cube);
+  if (!(t > 0 && t < 1)) return true;
+  const double least = from + t * (leaves + t * (square + t * cube));
+  return least > 0.1 * surprise + 0.4 * (std::min(from, to) - least);
+}
+
+namespace {
+
+/// The margin of a body that may move up, down, or either way.
+template <class Scalar>
+Scalar margin_of(const BasicScene<Scalar>& scene, bool up, bool down) {
+  using std::sqrt;
+  const Scalar zero = constant<Scalar>(0.0);
+  const Flight<Scalar> held = AppliedForces<Scalar>(scene).flight(zero, zero, zero);
+  Scalar amplitude = zero;
+  for (int i = 0; i < held.harmonics; ++i) {
+    const auto& [cosine, sine, frequency] = held.acting(i);
+    const Scalar square = cosine * cosine + sine * sine;
+    if (value(square) > 0) amplitude += sqrt(square);
+  }
+  const Scalar friction = scene.friction * scene.normal_force / scene.mass;
+  const bool upwards = up && (!down || value(held.steady) >= 0);
+  return amplitude + (upwards ? held.steady : zero - held.steady) - friction;
+}
+
+}  // namespace
+
+double release_margin(const Scene& scene, double position) {
+  const bool up = position<scene.wall_upper, down = position> scene.wall_lower;
+  if (!up && !down) return -std::numeric_limits<double>::infinity();
+  return margin_of(scene, up, down);
+}
+
+ReleaseSlopes release_slopes(const Scene& scene, double position, const std::string& constant) {
+  BasicScene<OrbitMap::Number> lifted_scene = lifted<OrbitMap::Number>(scene);
+  lifted_scene.omega.v[OrbitMap::omega_index] = 1;
+  vary_constant(lifted_scene, constant, OrbitMap::constant_index);
+  const OrbitMap::Number margin =
+      margin_of(lifted_scene, position<scene.wall_upper, position> scene.wall_lower);
+  return {margin.a, margin.v[OrbitMap::omega_index], margin.v[OrbitMap::constant_index]};
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

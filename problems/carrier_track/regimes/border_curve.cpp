@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "problems/carrier_track/regimes/fold.h"
-#include "problems/carrier_track/regimes/orbit_map.h"
-#include "problems/carrier_track/regimes/release_margin.h"
+#include "problems/carrier_track/regimes/border.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
 #include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr double converged = 1e-12;     // relative change of the speed

@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "problems/carrier_track/flight/applied_forces.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/motion/forces.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/regimes/border.h"
+#include "problems/carrier_track/regimes/count_border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/regimes/observed_turn.h"
-#include "problems/carrier_track/regimes/phase_margin.h"
-#include "problems/carrier_track/regimes/rare_turns.h"
-#include "problems/carrier_track/regimes/release_margin.h"
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr double full_circle = 2 * std::numbers::pi;
@@ -264,6 +269,155 @@ DisturbedMotion disturbed_motion(const Scene& scene) {
 
 DisturbedMotion followed(const DisturbedMotion& motion, double omega) {
   return motion_like(at_speed(motion.machine, omega), &motion);
+}
+
+namespace {
+
+/// Rebounds slower than this share of the counting limit are summed: they are too slow for any
+/// margin above lowest_margin.
+constexpr double summed_rebounds = 1e-3;
+
+/// Takes the impacts of the last turn.
+struct LastTurn : Observer {
+  static constexpr bool hears_impacts_alone = true;
+
+  double start = 0;    // [s]
+  double slowest = 0;  // [m/s]
+  std::vector<Impact> impacts;
+
+  void impact(double time, Wall wall, double speed) {
+    if (time >= start && speed > slowest) impacts.push_back({time, wall, speed});
+  }
+};
+
+}  // namespace
+
+std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
+                                           int before) {
+  std::vector<Scene> scenes(phases.size(), scene);
+  for (std::size_t k = 0; k < phases.size(); ++k) scenes[k].disturbance_phase = phases[k];
+  return turns_of(scenes, before);
+}
+
+std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before) {
+  std::vector<LastTurn> last(scenes.size());
+  const auto model_at = [&](std::size_t k) {
+    Scene there = scenes[k];
+    there.window = Revolutions{static_cast<double>(before + 1)};
+    last[k].start = before * 2 * std::numbers::pi / there.omega;
+    last[k].slowest = std::exp(lowest_margin) * there.counting_limit;
+    return ImpactModel<double>(there, summed_rebounds * there.counting_limit);
+  };
+  std::vector<LaneOutcome> outcomes;
+  if (scenes.size() == 1) {
+    ImpactModel<double> model = model_at(0);
+    outcomes.push_back({model.run(last[0]), nullptr});
+  } else {
+    outcomes =
+        run_in_lanes(scenes.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
+  }
+  std::vector<DisturbedTurn> turns;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+    const Scene& scene = scenes[k];
+    const End<double>& end = outcomes[k].end;
+    DisturbedTurn turn{scene.disturbance_phase,
+                       std::move(last[k].impacts),
+                       {},
+                       0,
+                       end.position,
+                       end.velocity,
+                       false};
+    if (end.velocity == 0) {
+      turn.returns = end.position == scene.start_position;
+      if (end.position == scene.wall_lower) turn.rests_on = Wall::lower;
+      if (end.position == scene.wall_upper) turn.rests_on = Wall::upper;
+    }
+    for (const Impact& impact : turn.impacts) {
+      turn.speeds.push_back(impact.speed);
+      if (is_counted(impact.speed, scene.counting_limit)) ++turn.collisions;
+    }
+    std::sort(turn.speeds.begin(), turn.speeds.end(), std::greater<>());
+    turns.push_back(std::move(turn));
+  }
+  return turns;
+}
+
+double margin_of(const Scene& scene, const DisturbedTurn& turn, int rank) {
+  if (rank < 1 || rank > static_cast<int>(turn.speeds.size())) return lowest_margin;
+  const double speed = turn.speeds[static_cast<std::size_t>(rank - 1)];
+  return std::max(lowest_margin, std::log(speed / scene.counting_limit));
+}
+
+namespace {
+
+/// What happens in the last turns of a window.
+class LastTurns : public Observer {
+ public:
+  LastTurns(const Scene& scene, double phase, int before, int turns)
+      : scene_(scene), turn_(2 * std::numbers::pi / scene.omega), start_(turn_ * before) {
+    for (int k = 0; k < turns; ++k) turns_.push_back({{phase, {}, {}, 0}, 0, 0});
+  }
+
+  void impact(double time, Wall wall, double speed) {
+    ObservedTurn* observed = at(time);
+    if (observed == nullptr || speed <= 0) return;
+    observed->turn.speeds.push_back(speed);
+    observed->energy += impact_loss(scene_, wall) * speed * speed;
+    if (is_counted(speed, scene_.counting_limit)) ++observed->turn.collisions;
+  }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    if (path.harmonics != 0) return;
+    for (std::size_t k = 0; k < turns_.size(); ++k) {
+      const double from = start_ + turn_ * static_cast<double>(k);
+      const double within = std::min(time + duration, from + turn_) - std::max(time, from);
+      if (within > 0) turns_[k].share_at_rest += within / turn_;
+    }
+  }
+
+  std::vector<ObservedTurn> turns() {
+    for (ObservedTurn& observed : turns_) {
+      std::vector<double>& speeds = observed.turn.speeds;
+      std::sort(speeds.begin(), speeds.end(), std::greater<>());
+    }
+    return turns_;
+  }
+
+ private:
+  ObservedTurn* at(double time) {
+    if (time < start_) return nullptr;
+    const auto k = static_cast<std::size_t>((time - start_) / turn_);
+    return k < turns_.size() ? &turns_[k] : nullptr;
+  }
+
+  const Scene& scene_;
+  double turn_, start_;  // [s]
+  std::vector<ObservedTurn> turns_;
+};
+
+}  // namespace
+
+std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
+                                         int before, int turns) {
+  Scene there = scene;
+  there.window = Revolutions{static_cast<double>(before + turns)};
+  std::vector<LastTurns> last;
+  for (const double phase : phases) last.emplace_back(scene, phase, before, turns);
+  const auto outcomes = run_in_lanes(
+      phases.size(),
+      [&](std::size_t k) {
+        there.disturbance_phase = phases[k];
+        return ImpactModel<double>(there);
+      },
+      [&](std::size_t k) -> LastTurns& { return last[k]; });
+  std::vector<ObservedTurn> all;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+    for (ObservedTurn& observed : last[k].turns()) all.push_back(std::move(observed));
+  }
+  return all;
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

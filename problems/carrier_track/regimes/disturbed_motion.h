@@ -1,14 +1,45 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "problems/carrier_track/regimes/disturbed_turn.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
-/// The motion of a machine in the long run under a disturbance that does not repeat with the driver
-/// plate. In every turn the disturbance has another phase; over many turns all phases are equally
-/// frequent.
 namespace ricochet::carrier_track::inline regimes {
+
+/// What stands for the margin of an impact that is not there, or slower.
+inline constexpr double lowest_margin = -6;
+
+/// One turn of the driver plate under a disturbance.
+struct DisturbedTurn {
+  double phase;                 ///< [rad], of the disturbance at the start of the motion before
+  std::vector<Impact> impacts;  ///< by time, those of margins above lowest_margin
+  std::vector<double> speeds;   ///< [m/s], of these, the fastest first
+  int collisions;
+  double end_position = 0;            ///< [m]
+  double end_velocity = 0;            ///< [m/s]
+  bool returns = false;               ///< the carrier ends at rest where it started
+  std::optional<Wall> rests_on = {};  ///< the wall on which it ends at rest
+};
+
+/// The turns that follow on `before` turns from the start of a valid scene of fidelity impact, for
+/// these phases [rad] of its disturbance. Side by side, and without the last of a series of
+/// rebounds: impacts are exact where the carrier rests before it moves again.
+std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
+                                           int before);
+
+/// The same of any such scenes that differ in their speed and in the phase of their disturbance.
+std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before);
+
+/// ln(speed / counting limit) of the rank-th fastest impact of a turn, rank 1 the fastest. At least
+/// lowest_margin.
+double margin_of(const Scene& scene, const DisturbedTurn& turn, int rank);
+
+// The motion of a machine in the long run under a disturbance that does not repeat with the driver
+// plate. In every turn the disturbance has another phase; over many turns all phases are equally
+// frequent.
 
 /// Which of the phases a margin is taken at.
 enum class Extreme { least, most };
@@ -78,5 +109,17 @@ DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
 
 /// The machine whose start leads to that turn, at another speed [rad/s].
 Scene machine_at(const DisturbedMotion& motion, double omega, double phase);
+
+/// A turn with all that is told of it.
+struct ObservedTurn {
+  DisturbedTurn turn;
+  double energy;         ///< [J], that the walls take
+  double share_at_rest;  ///< of the time
+};
+
+/// The `turns` turns that follow on `before` turns from the start of a valid scene of fidelity
+/// impact, for each of these phases [rad] of its disturbance; simulated to the last rebound.
+std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
+                                         int before, int turns);
 
 }  // namespace ricochet::carrier_track::inline regimes

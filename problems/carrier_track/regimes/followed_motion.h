@@ -1,12 +1,20 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "problems/carrier_track/motion/dual_simulation.h"
+#include "problems/carrier_track/motion/observer.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
-#include "ricochet/regimes.h"
+#include "ricochet/machine.h"
+#include "ricochet/problem.h"
+#include "ricochet/scene.h"
 
 /// What is watched of a motion while the speed changes, whether it repeats or is disturbed.
 namespace ricochet::carrier_track::inline regimes {
@@ -75,5 +83,125 @@ bool is_near(const DisturbedMotion& a, const DisturbedMotion& b);
 
 LongRun long_run_of(const SteadyMotion& motion);
 LongRun long_run_of(const DisturbedMotion& motion);
+
+// Exact derivatives of a periodic motion, by dual numbers.
+
+/// One period of an orbit in dual numbers. Their derivatives are with respect to position, velocity
+/// (both at the start of the period), speed of the driver plate, and up to two constants.
+struct OrbitMap {
+  using Number = DesignDual;
+  static constexpr int position_index = 0, velocity_index = 1, omega_index = 2, constant_index = 3;
+
+  std::vector<Number> speeds;  ///< [m/s], approach speeds of the impacts, by time
+  std::vector<Wall> walls;     ///< of these impacts
+  std::vector<Number> misses;  ///< [m] > 0, distances by which turning points miss a wall
+  Number position, velocity;   ///< [m], [m/s], at the end
+};
+
+/// The constants of a scene that a border can be followed over, by the keys of its file, and
+/// `clearance`: the upper wall moves.
+std::vector<std::string> continuation_constants();
+
+/// Sets the constant of that key, of a plain scene. Throws InputError for a key that is not among
+/// continuation_constants().
+void set_constant(Scene& scene, const std::string& key, double to);
+double constant_named(const Scene& scene, const std::string& key);
+
+/// Makes that constant of a scene the dual number's variable of that index.
+void vary_constant(BasicScene<OrbitMap::Number>& scene, const std::string& key, int index);
+
+/// The period that starts at `orbit`'s start, at rest if `rest` says so. At most two constants.
+OrbitMap map_of(const Scene& orbit, Rest rest, std::span<const std::string> constants = {});
+
+/// Derivatives along the orbit: how a number of the period changes with the speed and the constants
+/// while the start follows, so that the motion stays periodic (implicit function theorem).
+class AlongOrbit {
+ public:
+  AlongOrbit(const OrbitMap& map, Rest rest);
+
+  /// The total derivative of `number` with respect to the speed (index 2) or a constant (3, 4).
+  double operator()(const OrbitMap::Number& number, int index) const;
+
+ private:
+  double position_[3] = {};  // derivatives of the start
+  double velocity_[3] = {};
+};
+
+/// Trace and determinant of the map's Jacobian.
+struct MapInvariants {
+  double trace, determinant;
+};
+MapInvariants invariants_of(const OrbitMap& map, Rest rest);
+
+/// What happens in one period of a motion: its impacts, its rests and its longest flight.
+class PeriodWatch : public Observer {
+ public:
+  /// A time without motion, or a flight, between two events.
+  struct Stretch {
+    double time = 0;      ///< [s], its start
+    double duration = 0;  ///< [s]
+    double position = 0;  ///< [m], at its start
+  };
+
+  void impact(double time, Wall wall, double speed) {
+    if (speed > 0) impacts_.push_back({time, wall, speed});
+  }
+
+  void turn(double /*time*/, double position, Wall /*ahead*/) {
+    lowest_ = std::min(lowest_, position);
+    highest_ = std::max(highest_, position);
+  }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    if (duration <= 0) return;
+    if (path.harmonics != 0) {
+      if (duration > flight_.duration) flight_ = {time, duration, path.position};
+    } else if (!rests_.empty() && rests_.back().time + rests_.back().duration >= time) {
+      rests_.back().duration = time + duration - rests_.back().time;
+    } else {
+      rests_.push_back({time, duration, path.position});
+    }
+  }
+
+  const std::vector<Impact>& impacts() const { return impacts_; }
+
+  /// The longest flight without an impact or a turning point; duration 0 if there is none.
+  const Stretch& longest_flight() const { return flight_; }
+
+  /// The longest rest; nullptr if there is none.
+  const Stretch* longest_rest() const {
+    const auto longer = [](const Stretch& a, const Stretch& b) { return a.duration < b.duration; };
+    return rests_.empty() ? nullptr : &*std::max_element(rests_.begin(), rests_.end(), longer);
+  }
+
+  /// [m], of the turning points; lowest > highest if there is none.
+  double lowest() const { return lowest_; }
+  double highest() const { return highest_; }
+
+  bool starts_at_rest() const { return !rests_.empty() && rests_.front().time == 0; }
+
+  /// [s], at rest in all.
+  double resting() const {
+    double sum = 0;
+    for (const Stretch& rest : rests_) sum += rest.duration;
+    return sum;
+  }
+
+  void clear() {
+    impacts_.clear();
+    rests_.clear();
+    flight_ = {};
+    lowest_ = std::numeric_limits<double>::infinity();
+    highest_ = -lowest_;
+  }
+
+ private:
+  std::vector<Impact> impacts_;
+  std::vector<Stretch> rests_;
+  Stretch flight_;
+  double lowest_ = std::numeric_limits<double>::infinity();
+  double highest_ = -std::numeric_limits<double>::infinity();
+};
 
 }  // namespace ricochet::carrier_track::inline regimes

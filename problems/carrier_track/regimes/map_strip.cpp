@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr double same_border = 1e-7;  // relative, of the speed

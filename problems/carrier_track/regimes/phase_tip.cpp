@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "src/core/bracketed_root.h"
+#include "src/core/numeric.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr double sharp = 1e-13;       // relative width at which a bracket of speeds is a border

@@ -8,13 +8,14 @@
 #include <utility>
 
 #include "problems/carrier_track/regimes/disturbed_motion.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/map_strip.h"
-#include "problems/carrier_track/regimes/orbit_map.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "src/core/in_parallel.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr int finest = 16;  // parts of the distance of two values, where regimes are refined

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/regimes/border_curve.h"
-#include "ricochet/regimes.h"
+#include "ricochet/machine.h"
 
 /// The regimes of machines that differ in one constant: a map of speed and constant.
 namespace ricochet::carrier_track::inline regimes {

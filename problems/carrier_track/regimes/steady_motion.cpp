@@ -6,14 +6,13 @@
 #include <numbers>
 #include <optional>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/wear.h"
-#include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/regimes/orbit_map.h"
-#include "problems/carrier_track/regimes/period_watch.h"
-#include "problems/carrier_track/scene/window.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track::inline regimes {
+
 namespace {
 
 constexpr int turns_at_most = 200;   // after which a motion without a period is averaged

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
 /// The motion that a machine settles on at a constant speed.

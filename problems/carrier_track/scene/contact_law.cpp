@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 namespace ricochet::carrier_track::inline scene {
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ricochet/scene.h"
 
@@ -12,5 +13,10 @@ void check_omega(const Scene& scene, const std::string& origin, const std::strin
 
 /// Throws InputError if the scene's speed is a profile.
 void check_constant_speed(const Scene& scene, const std::string& origin);
+
+/// Returns one sentence, with keys, values and units, for each valid but implausible value of a
+/// scene, and for values that do not go together. A braiding machine has carriers of grams to
+/// kilograms, on paths of centimetres to a metre, between walls less than a few centimetres apart.
+std::vector<std::string> doubts_about(const Scene& scene);
 
 }  // namespace ricochet::carrier_track::inline scene

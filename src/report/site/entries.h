@@ -1,14 +1,58 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "src/report/site/found_report.h"
+#include "src/report/json.h"
+#include "src/report/page_template.h"
+#include "src/report/report.h"
 
 namespace ricochet::site {
+
+using report::Json;
+
+/// How a report was made, according to its data.json.
+struct Made {
+  std::optional<std::string> date;
+  std::optional<double> seconds;
+  std::optional<bool> quick;
+};
+RICOCHET_JSON(Made, date, seconds, quick);
+
+/// A further page of a report.
+struct FoundPage {
+  std::string folder;  ///< inside the report's folder
+  std::optional<report::Headline> headline;
+  Json data;
+  std::vector<std::string> pages = {};  ///< folders of pages inside its own
+};
+
+/// A report in a folder of a site.
+struct FoundReport {
+  std::string folder;  ///< its name, in the front page's folder
+  report::ReportKind kind;
+  Made made;
+  std::optional<report::Headline> headline;  ///< nothing if its data are of another version
+  Json data;                                 ///< its data.json
+  std::vector<FoundPage> pages;
+};
+
+/// Returns the subfolders with a data.json that is not of a site, in the order of their names.
+std::vector<std::string> folders_of_data(const std::filesystem::path& site);
+
+/// Returns the reports in the subfolders, in the order of their kinds, then of their names. Folders
+/// without the data of a known kind of report are ignored.
+std::vector<FoundReport> found_reports(const std::filesystem::path& site);
+
+/// Label in the navigation: that of its kind, with its folder if that has another name.
+std::string label_of(const FoundReport& report);
+
+/// Returns true if the headline lists these data.
+bool holds(const std::optional<report::Headline>& headline, const std::string& what);
 
 /// The smallest and the largest of some numbers.
 struct Extent {
@@ -83,5 +127,122 @@ Comparison comparison_of(const FoundReport& report);
 
 /// Returns the report with most runs among those that hold "entries"; null if there is none.
 const FoundReport* largest_comparison(const std::vector<FoundReport>& reports);
+
+// The parts of a comparison's data.json that the front page reads.
+
+struct NamedSolver {
+  std::string name;
+  bool outside;
+  std::optional<std::string> needs;  ///< "nothing", or kinds of derivatives
+  std::optional<std::string> kind;   ///< "fireworks", "derivatives", ...
+};
+
+struct SpeedAccuracy {
+  std::string family;            ///< or "all"
+  std::optional<double> budget;  ///< nothing for all families
+  bool largest;
+  std::string solver, formulation;
+  bool complete;
+  std::optional<std::int64_t> problems;
+  std::optional<double> evaluations, seconds, share, share_lower, share_upper, optimality_gap,
+      optimality_gap_lower, optimality_gap_upper;
+};
+
+/// The first entry of a family with a budget, of which only this is read.
+struct LeadingEntry {
+  std::string family;
+  double budget;
+  std::optional<bool> easy;      ///< true if random search is enough
+  std::optional<double> random;  ///< evaluations that random search needs
+};
+
+struct ComparisonData {
+  std::int64_t runs;
+  std::vector<NamedSolver> solvers;
+  std::vector<SpeedAccuracy> speed_accuracy;
+  std::vector<LeadingEntry> leaders;
+};
+
+struct FamilyProblem {
+  std::int64_t variables, constraints;
+};
+
+struct Rating {
+  std::string solver, formulation;
+  std::optional<std::int64_t> problems;  ///< that it takes
+  std::optional<double> best;  ///< nothing for one problem, or if no run solved its problem
+  double share, lower, upper, returned;
+  std::int64_t never;
+  std::optional<double> rank;  ///< nothing if the entry takes fewer than half of the problems
+};
+
+struct Step {
+  double evaluations, share;
+};
+
+struct Progress {
+  std::string solver, formulation;
+  std::vector<Step> progress;
+};
+
+struct RatedBudget {
+  double budget;
+  std::vector<Rating> ratings;
+  std::vector<Progress> first;                 ///< of the first ratings
+  std::optional<std::vector<Progress>> paper;  ///< of the paper's algorithm, if it is none of them
+};
+
+struct PerturbationName {
+  std::string perturbation;
+};
+
+/// An entry on the problems of a family that are run under perturbations.
+struct PerturbedEntry {
+  report::Json shares;  ///< success rate under each perturbation, or null
+  std::string family, solver, formulation;
+  std::int64_t problems, least_variables, most_variables, runs;
+  double budget;  ///< evaluations for each variable
+};
+
+struct PerturbedData {
+  std::vector<PerturbationName> perturbation_names;
+  std::vector<PerturbedEntry> perturbation_rows;
+};
+
+struct MeasuredSimulation {
+  double simulation;  ///< [s]
+};
+
+struct BreakEven {
+  double budget;
+  std::vector<MeasuredSimulation> here;
+};
+
+struct FamilyData {
+  std::string family;
+  std::vector<FamilyProblem> problems;
+  std::vector<RatedBudget> budgets;
+  std::vector<BreakEven> break_even_families;
+};
+
+RICOCHET_READ_FROM_JSON(NamedSolver, name, outside, needs, kind);
+RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulation, complete,
+                        problems, evaluations, seconds, share, share_lower, share_upper,
+                        optimality_gap, optimality_gap_lower, optimality_gap_upper);
+RICOCHET_READ_FROM_JSON(LeadingEntry, family, budget, easy, random);
+RICOCHET_READ_FROM_JSON(ComparisonData, runs, solvers, speed_accuracy, leaders);
+RICOCHET_READ_FROM_JSON(FamilyProblem, variables, constraints);
+RICOCHET_READ_FROM_JSON(Rating, solver, formulation, problems, best, share, lower, upper, returned,
+                        never, rank);
+RICOCHET_READ_FROM_JSON(Step, evaluations, share);
+RICOCHET_READ_FROM_JSON(Progress, solver, formulation, progress);
+RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first, paper);
+RICOCHET_READ_FROM_JSON(PerturbationName, perturbation);
+RICOCHET_READ_FROM_JSON(PerturbedEntry, shares, family, solver, formulation, problems,
+                        least_variables, most_variables, runs, budget);
+RICOCHET_READ_FROM_JSON(PerturbedData, perturbation_names, perturbation_rows);
+RICOCHET_READ_FROM_JSON(MeasuredSimulation, simulation);
+RICOCHET_READ_FROM_JSON(BreakEven, budget, here);
+RICOCHET_READ_FROM_JSON(FamilyData, family, problems, budgets, break_even_families);
 
 }  // namespace ricochet::site

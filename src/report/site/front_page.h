@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "src/report/file_set.h"
+#include "src/report/page.h"
 #include "src/report/site/front.h"
+#include "src/report/site/navigation.h"
 
 namespace ricochet::site {
 
@@ -15,5 +16,14 @@ struct FrontPage {
 
 /// Draws the front page.
 FrontPage front_page(const Front& front, const std::string& navigation);
+
+/// The page of a live machine, whose parts are in src/live/page: the simulator as a WebAssembly
+/// module with sliders and charts, in one file that asks for no other. `navigation`: the links to
+/// all reports, as HTML.
+std::string live_page(const std::string& navigation);
+
+/// The page that says how to cite ricochet and how to repeat its reports: BibTeX, versions, seeds,
+/// plan, digest, archive and commands. `comparison`: the one whose runs are described, or null.
+OwnPage cite_page(const std::vector<FoundReport>& reports, const FoundReport* comparison);
 
 }  // namespace ricochet::site

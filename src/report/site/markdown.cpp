@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 namespace ricochet::site {
+
 namespace {
 
 std::string html_of(const std::string& markdown) {

@@ -1,13 +1,15 @@
 #include "src/report/site/navigation.h"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 #include "embedded/navigation_template.h"
-#include "src/report/filled_text.h"
-#include "src/report/site/page_mark.h"
+#include "src/core/files.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,6 +111,57 @@ void link_pages(const fs::path& site, const std::vector<Place>& places,
       }
     }
   }
+}
+
+std::vector<Place> places_of(const std::vector<FoundReport>& reports,
+                             const std::vector<Place>& own_pages) {
+  std::vector<Place> all = own_pages;
+  for (const FoundReport& report : reports) {
+    Place place{report.kind.group, label_of(report), report.folder};
+    for (const FoundPage& page : report.pages) place.pages.push_back(page.folder);
+    all.push_back(std::move(place));
+    for (const FoundPage& page : report.pages) {
+      if (!page.headline || page.headline->group.empty()) continue;
+      all.push_back(
+          {page.headline->group, page.headline->label, report.folder + "/" + page.folder});
+    }
+  }
+  std::vector<Place> sorted;
+  for (const char* group : groups) {
+    for (const Place& place : all) {
+      if (place.group == group) sorted.push_back(place);
+    }
+  }
+  return sorted;
+}
+
+void put_at(const std::filesystem::path& page, const std::string& mark, const std::string& html) {
+  // In reports/templates/page.mustache.
+  const std::string opening = "<!-- " + mark + " -->", closing = "<!-- /" + mark + " -->";
+  std::error_code none;
+  if (!std::filesystem::exists(page, none)) return;
+  const std::string text = text_of_file(page);
+  const std::size_t start = text.find(opening), end = text.find(closing);
+  if (start == std::string::npos || end == std::string::npos || end < start) return;
+  const std::size_t after = start + opening.size();
+  const std::string changed = text.substr(0, after) + "\n" + html + text.substr(end);
+  if (changed != text) write_text_file(page, changed, SymbolicLinks::refused);
+}
+
+std::vector<Place> write_own_pages(const std::filesystem::path& site,
+                                   const std::vector<OwnPage>& pages,
+                                   std::vector<std::string>& failures) {
+  std::vector<Place> places;
+  std::error_code none;
+  for (const OwnPage& own : pages) {
+    const std::filesystem::path folder = below(site, own.place.folder);
+    if (std::filesystem::exists(folder / "data.json", none)) continue;
+    for (const std::string& line : report::write_page(own.page, folder)) {
+      failures.push_back(own.place.folder + ": " + line);
+    }
+    places.push_back(own.place);
+  }
+  return places;
 }
 
 }  // namespace ricochet::site

@@ -4,10 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "src/report/site/found_report.h"
-#include "src/report/site/place.h"
+#include "src/report/page.h"
+#include "src/report/site/entries.h"
 
 namespace ricochet::site {
+
+/// A page that the navigation lists under one of its words.
+struct Place {
+  std::string group;  ///< the word
+  std::string label;
+  std::string folder;                   ///< inside the site
+  std::vector<std::string> pages = {};  ///< folders of pages inside its own
+};
+
+/// The words of the navigation, in their order.
+inline constexpr const char* groups[] = {"Machine",    "Solvers", "Robustness",
+                                         "Simulation", "Paper",   "Data"};
+
+/// Returns the places of a site by group: those of its own pages, then the reports, and those
+/// further pages of reports whose headline names a group.
+std::vector<Place> places_of(const std::vector<FoundReport>& reports,
+                             const std::vector<Place>& own_pages);
 
 /// Returns the links to all places, as HTML for a page in the folder `here` of the site: "" is the
 /// front page, "problems/count" a page of a report, "comparison/solvers/mads" one in such a page.
@@ -18,5 +35,21 @@ std::string navigation(const std::vector<Place>& places, const std::string& here
 /// OutputError.
 void link_pages(const std::filesystem::path& site, const std::vector<Place>& places,
                 const std::vector<FoundReport>& reports);
+
+/// Replaces what stands between the comments <!-- mark --> and <!-- /mark --> of a written page. A
+/// page without them, or one that is missing, stays as it is.
+void put_at(const std::filesystem::path& page, const std::string& mark, const std::string& html);
+
+/// A page of the site itself, drawn from the data of the reports.
+struct OwnPage {
+  Place place;
+  report::Page page;
+};
+
+/// Writes the pages, except where a report has their folder. Returns the places of those written;
+/// adds a line for each chart that could not be drawn. Throws OutputError.
+std::vector<Place> write_own_pages(const std::filesystem::path& site,
+                                   const std::vector<OwnPage>& pages,
+                                   std::vector<std::string>& failures);
 
 }  // namespace ricochet::site

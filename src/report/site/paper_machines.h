@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/report/chart.h"
-#include "src/report/site/found_report.h"
+#include "src/report/site/entries.h"
 
 namespace ricochet::site {
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "src/report/site/navigation.h"
 
 namespace ricochet::site {
 
@@ -25,5 +29,26 @@ std::vector<std::string> write_site_above(const std::filesystem::path& report);
 /// another version, which begins with the file; nothing if there are no reports.
 std::optional<std::vector<std::string>> redraw_site(const std::filesystem::path& from,
                                                     const std::filesystem::path& folder);
+
+/// Folder of the documents in a site.
+inline constexpr const char* docs_folder = "docs";
+
+/// Writes the documents of docs/ as pages, and a page that lists and searches them, with what the
+/// reports found. Links to reports lead to their pages, if they are there; a link to what the site
+/// does not have becomes plain text. Returns their place. Throws OutputError.
+Place write_docs_pages(const std::filesystem::path& site, const std::vector<FoundReport>& reports);
+
+/// A site written for a static host.
+struct Publication {
+  std::size_t pages = 0;
+  std::uintmax_t bytes = 0;                ///< of all files
+  std::vector<std::string> failures = {};  ///< a line for each thing that could not be drawn
+};
+
+/// Writes the whole site of a folder of reports into another folder, which must be new, empty or an
+/// earlier such site: the reports with their data, the front page, the documents, and the machine
+/// that runs in a browser. Throws InputError for a folder without reports or one that holds
+/// something else; OutputError.
+Publication publish_site(const std::filesystem::path& from, const std::filesystem::path& folder);
 
 }  // namespace ricochet::site

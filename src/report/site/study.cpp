@@ -8,12 +8,13 @@
 #include <ctime>
 #include <thread>
 
-#include "src/core/folder_lock.h"
-#include "src/core/one_line.h"
+#include "src/core/files.h"
+#include "src/core/names.h"
 #include "src/report/report.h"
 #include "src/report/site/site.h"
 
 namespace ricochet::studies {
+
 namespace {
 
 #ifdef __clang__

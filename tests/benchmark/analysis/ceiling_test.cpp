@@ -1,7 +1,6 @@
-#include "src/benchmark/analysis/ceiling.h"
-
 #include <gtest/gtest.h>
 
+#include "src/analysis/results.h"
 #include "tests/benchmark/analysis/valley.h"
 
 namespace ricochet::comparison {

@@ -1,9 +1,8 @@
-#include "src/benchmark/analysis/cell_results.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
+#include "src/analysis/results.h"
 #include "tests/benchmark/analysis/held_campaign.h"
 
 namespace ricochet::comparison {

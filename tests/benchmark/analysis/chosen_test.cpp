@@ -1,9 +1,8 @@
-#include "src/benchmark/analysis/chosen.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
+#include "src/analysis/outcomes.h"
 #include "tests/benchmark/analysis/valley.h"
 
 namespace ricochet::comparison {

@@ -1,7 +1,6 @@
-#include "src/benchmark/analysis/comparison.h"
-
 #include <gtest/gtest.h>
 
+#include "src/analysis/results.h"
 #include "tests/benchmark/analysis/held_campaign.h"
 
 namespace ricochet::comparison {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/analysis/valley.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,9 +1,8 @@
-#include "src/benchmark/analysis/outcome.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/analysis/outcomes.h"
 #include "tests/benchmark/analysis/valley.h"
 
 namespace ricochet::comparison {

@@ -1,4 +1,4 @@
-#include "src/benchmark/analysis/outcomes.h"
+#include "src/analysis/outcomes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/benchmark/analysis/rating.h"
+#include "src/analysis/rating.h"
 
 #include <gtest/gtest.h>
 

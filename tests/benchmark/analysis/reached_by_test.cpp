@@ -1,8 +1,8 @@
-#include "src/benchmark/analysis/reached_by.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "src/analysis/outcomes.h"
 
 namespace ricochet::comparison {
 namespace {

@@ -1,9 +1,9 @@
-#include "src/benchmark/analysis/result.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "src/analysis/results.h"
 
 namespace ricochet::comparison {
 namespace {

@@ -1,10 +1,10 @@
-#include "src/benchmark/analysis/stratified_sample.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
+
+#include "src/analysis/rating.h"
 
 namespace ricochet::comparison {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/benchmark/analysis/targets.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "src/analysis/outcomes.h"
 #include "tests/benchmark/analysis/valley.h"
 
 namespace ricochet::comparison {

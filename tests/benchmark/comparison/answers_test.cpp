@@ -1,4 +1,4 @@
-#include "src/benchmark/comparison/answers.h"
+#include "src/analysis/comparison/answers.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,8 @@
-#include "src/benchmark/comparison/break_even_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/analysis/comparison/costs.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,13 +1,12 @@
-#include "src/benchmark/comparison/change_data.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "src/benchmark/comparison/machine_results.h"
-#include "src/benchmark/experiment/campaign/planned_runs.h"
-#include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "src/analysis/comparison/changes.h"
+#include "src/analysis/comparison/machines.h"
+#include "src/experiment/planned_runs.h"
+#include "src/experiment/stored_campaign.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 #include "tests/core/best_point_of.h"
 #include "tests/core/temporary_folder.h"

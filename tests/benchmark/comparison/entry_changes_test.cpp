@@ -1,11 +1,10 @@
-#include "src/benchmark/comparison/entry_changes.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "src/analysis/comparison/changes.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::studies::comparison {

@@ -1,4 +1,4 @@
-#include "src/benchmark/comparison/group.h"
+#include "src/analysis/comparison/group.h"
 
 #include <gtest/gtest.h>
 

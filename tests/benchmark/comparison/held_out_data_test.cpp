@@ -1,7 +1,6 @@
-#include "src/benchmark/comparison/held_out_data.h"
-
 #include <gtest/gtest.h>
 
+#include "src/analysis/comparison/own_solver.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

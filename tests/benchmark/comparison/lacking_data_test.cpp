@@ -1,6 +1,6 @@
-#include "src/benchmark/comparison/lacking_data.h"
-
 #include <gtest/gtest.h>
+
+#include "src/analysis/comparison/order.h"
 
 namespace ricochet::studies::comparison {
 namespace {

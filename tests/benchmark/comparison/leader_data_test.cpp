@@ -1,11 +1,10 @@
-#include "src/benchmark/comparison/leader_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "src/analysis/comparison/order.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

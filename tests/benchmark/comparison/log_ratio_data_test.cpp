@@ -1,7 +1,6 @@
-#include "src/benchmark/comparison/log_ratio_data.h"
-
 #include <gtest/gtest.h>
 
+#include "src/analysis/comparison/pairs.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,13 +1,12 @@
-#include "src/benchmark/comparison/machine_data.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "src/benchmark/comparison/atlas_data.h"
-#include "src/benchmark/comparison/factor_data.h"
-#include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "src/analysis/comparison/factors.h"
+#include "src/analysis/comparison/machines.h"
+#include "src/analysis/comparison/shares.h"
+#include "src/experiment/stored_campaign.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/benchmark/comparison/reported_part.h"
+#include "src/analysis/comparison/reported_part.h"
 
 namespace ricochet::studies::comparison {
 

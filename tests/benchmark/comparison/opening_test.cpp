@@ -1,6 +1,6 @@
-#include "src/benchmark/comparison/opening.h"
-
 #include <gtest/gtest.h>
+
+#include "src/analysis/comparison/answers.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -1,10 +1,9 @@
-#include "src/benchmark/comparison/own_solver_data.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "src/analysis/comparison/own_solver.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,8 +1,8 @@
-#include "src/benchmark/comparison/pages.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "src/analysis/comparison/study.h"
 
 namespace ricochet::studies::comparison {
 namespace {

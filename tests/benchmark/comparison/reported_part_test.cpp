@@ -1,4 +1,4 @@
-#include "src/benchmark/comparison/reported_part.h"
+#include "src/analysis/comparison/reported_part.h"
 
 #include <gtest/gtest.h>
 

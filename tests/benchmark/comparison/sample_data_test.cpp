@@ -1,11 +1,10 @@
-#include "src/benchmark/comparison/sample_data.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "src/analysis/comparison/shares.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,8 +1,7 @@
-#include "src/benchmark/comparison/solver_facts.h"
-
 #include <gtest/gtest.h>
 
-#include "ricochet/solvers.h"
+#include "ricochet/solver.h"
+#include "src/analysis/comparison/solver_pages.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/benchmark/comparison/solver_pages.h"
+#include "src/analysis/comparison/solver_pages.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/benchmark/comparison/speed_accuracy_data.h"
+#include "src/analysis/comparison/costs.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,12 +1,11 @@
-#include "src/benchmark/comparison/speed_accuracy_data.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "src/benchmark/comparison/pair_data.h"
-#include "src/benchmark/comparison/profile_data.h"
+#include "src/analysis/comparison/costs.h"
+#include "src/analysis/comparison/group.h"
+#include "src/analysis/comparison/pairs.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

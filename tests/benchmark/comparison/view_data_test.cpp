@@ -1,9 +1,8 @@
-#include "src/benchmark/comparison/view_data.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "src/analysis/comparison/view.h"
 #include "tests/benchmark/comparison/made_up_results.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 

@@ -1,5 +1,3 @@
-#include "src/benchmark/comparison/view_order.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -7,6 +5,8 @@
 #include <random>
 #include <set>
 #include <utility>
+
+#include "src/analysis/comparison/view.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/benchmark/comparison/view_run.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -7,6 +5,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "src/analysis/comparison/view.h"
 
 namespace ricochet::studies::comparison {
 namespace {

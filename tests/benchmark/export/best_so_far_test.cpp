@@ -1,7 +1,6 @@
-#include "src/benchmark/export/best_so_far.h"
-
 #include <gtest/gtest.h>
 
+#include "src/analysis/export/ioh_and_coco.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::exports {

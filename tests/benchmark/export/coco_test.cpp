@@ -1,10 +1,9 @@
-#include "src/benchmark/export/coco.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/analysis/export/ioh_and_coco.h"
 #include "tests/benchmark/export/coco_check.h"
 #include "tests/benchmark/export/exported_store.h"
 

@@ -1,5 +1,3 @@
-#include "src/benchmark/export/csv.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "src/benchmark/export/csv_row.h"
+#include "src/analysis/export/formats.h"
 #include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "src/benchmark/experiment/store/store.h"
+#include "src/experiment/store.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::exports {

@@ -1,11 +1,10 @@
-#include "src/benchmark/export/iohanalyzer.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "src/analysis/export/ioh_and_coco.h"
 #include "tests/benchmark/export/exported_store.h"
 #include "tests/benchmark/export/iohanalyzer_check.h"
 

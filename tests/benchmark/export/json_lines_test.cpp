@@ -1,9 +1,8 @@
-#include "src/benchmark/export/json_lines.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "src/analysis/export/formats.h"
 #include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {

@@ -1,5 +1,3 @@
-#include "src/benchmark/export/latex_summary.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "src/analysis/export/tables.h"
 #include "tests/benchmark/export/exported_store.h"
 #include "tests/benchmark/export/rated.h"
 

@@ -1,8 +1,7 @@
-#include "src/benchmark/export/latex.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "src/analysis/export/tables.h"
 #include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {

@@ -1,9 +1,9 @@
-#include "src/benchmark/export/numbering.h"
-
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <set>
+
+#include "src/analysis/export/ioh_and_coco.h"
 
 namespace ricochet::exports {
 namespace {

@@ -1,10 +1,8 @@
-#include "src/benchmark/export/output_folder.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
-#include "src/benchmark/export/output_file.h"
+#include "src/analysis/export/output.h"
 #include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/benchmark/analysis/rated_family.h"
+#include "src/analysis/rating.h"
 
 namespace ricochet::exports {
 

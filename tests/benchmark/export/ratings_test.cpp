@@ -1,8 +1,7 @@
-#include "src/benchmark/export/ratings.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "src/analysis/export/tables.h"
 #include "tests/benchmark/export/exported_store.h"
 #include "tests/benchmark/export/rated.h"
 

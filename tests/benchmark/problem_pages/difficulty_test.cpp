@@ -1,8 +1,8 @@
-#include "src/benchmark/problem_pages/difficulty.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "src/studies/problems/problems.h"
 
 namespace ricochet::studies::problems {
 namespace {

@@ -1,15 +1,14 @@
-#include "src/benchmark/problem_pages/family_data.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "problems/carrier_track/problems/families.h"
-#include "ricochet/families.h"
+#include "problems/carrier_track/suite/families.h"
+#include "ricochet/problem.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/research/suite/families.h"
+#include "src/studies/problems/problems.h"
+#include "src/studies/suite/families.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::studies::problems {

@@ -1,12 +1,11 @@
-#include "src/benchmark/statistics/attainment_function.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "ricochet/random.h"
-#include "src/benchmark/statistics/mean_share.h"
+#include "src/analysis/statistics/attainment.h"
+#include "src/analysis/statistics/intervals.h"
 
 namespace ricochet {
 namespace {

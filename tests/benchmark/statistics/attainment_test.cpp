@@ -1,4 +1,4 @@
-#include "src/benchmark/statistics/attainment.h"
+#include "src/analysis/statistics/attainment.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "ricochet/random.h"
-#include "src/benchmark/statistics/empirical_distribution.h"
 
 namespace ricochet {
 namespace {

@@ -1,10 +1,10 @@
-#include "src/benchmark/statistics/bayesian_signed_rank.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "src/analysis/statistics/hypothesis_tests.h"
 
 namespace ricochet {
 namespace {

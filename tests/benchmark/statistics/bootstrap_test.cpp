@@ -1,11 +1,10 @@
-#include "src/benchmark/statistics/bootstrap.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/intervals.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/benchmark/statistics/break_even.h"
+#include "src/analysis/statistics/break_even.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "src/benchmark/statistics/costs.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "src/analysis/statistics/running_time.h"
 
 namespace ricochet {
 namespace {

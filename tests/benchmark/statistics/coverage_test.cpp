@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "ricochet/random.h"
-#include "src/benchmark/statistics/attainment_function.h"
-#include "src/benchmark/statistics/expected_running_time.h"
-#include "src/benchmark/statistics/factorial_effects.h"
-#include "src/benchmark/statistics/mean_share.h"
-#include "src/benchmark/statistics/order_statistic_interval.h"
-#include "src/benchmark/statistics/rank_correlation.h"
-#include "src/benchmark/statistics/wilson_interval.h"
+#include "src/analysis/statistics/attainment.h"
+#include "src/analysis/statistics/factorial_effects.h"
+#include "src/analysis/statistics/intervals.h"
+#include "src/analysis/statistics/ranking.h"
+#include "src/analysis/statistics/running_time.h"
 
 /// How often each interval of 95 % holds the true objective, where the true objective is known. The
 /// figures are printed.

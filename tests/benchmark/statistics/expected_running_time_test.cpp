@@ -1,11 +1,10 @@
-#include "src/benchmark/statistics/expected_running_time.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "src/benchmark/statistics/wilson_interval.h"
+#include "src/analysis/statistics/intervals.h"
+#include "src/analysis/statistics/running_time.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

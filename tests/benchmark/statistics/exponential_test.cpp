@@ -1,10 +1,10 @@
-#include "src/benchmark/statistics/exponential.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "src/analysis/statistics/running_time.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/benchmark/statistics/factorial_effects.h"
+#include "src/analysis/statistics/factorial_effects.h"
 
 #include <gtest/gtest.h>
 

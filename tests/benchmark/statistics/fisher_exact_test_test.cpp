@@ -1,11 +1,11 @@
-#include "src/benchmark/statistics/fisher_exact_test.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
+
+#include "src/analysis/statistics/hypothesis_tests.h"
 
 namespace ricochet {
 namespace {

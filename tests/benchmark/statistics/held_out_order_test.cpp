@@ -1,11 +1,10 @@
-#include "src/benchmark/statistics/held_out_order.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/ranking.h"
 
 namespace ricochet {
 namespace {

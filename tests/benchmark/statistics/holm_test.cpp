@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/holm.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/hypothesis_tests.h"
 
 namespace ricochet {
 namespace {

@@ -1,10 +1,9 @@
-#include "src/benchmark/statistics/log_ratio_profile.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "src/analysis/statistics/attainment.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

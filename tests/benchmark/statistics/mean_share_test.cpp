@@ -1,12 +1,10 @@
-#include "src/benchmark/statistics/mean_share.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "ricochet/random.h"
-#include "src/benchmark/statistics/wilson_interval.h"
+#include "src/analysis/statistics/intervals.h"
 
 namespace ricochet {
 namespace {

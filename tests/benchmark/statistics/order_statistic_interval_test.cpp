@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/order_statistic_interval.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "src/analysis/statistics/intervals.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/pareto_front.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/break_even.h"
 
 namespace ricochet {
 namespace {

@@ -1,11 +1,10 @@
-#include "src/benchmark/statistics/performance_profile.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/attainment.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

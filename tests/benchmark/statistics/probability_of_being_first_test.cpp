@@ -1,11 +1,11 @@
-#include "src/benchmark/statistics/probability_of_being_first.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <stdexcept>
+
+#include "src/analysis/statistics/ranking.h"
 
 namespace ricochet {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/rank_correlation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/ranking.h"
 
 namespace ricochet {
 namespace {

@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/rank_sum_test.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/hypothesis_tests.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

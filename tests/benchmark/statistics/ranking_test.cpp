@@ -1,4 +1,4 @@
-#include "src/benchmark/statistics/ranking.h"
+#include "src/analysis/statistics/ranking.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

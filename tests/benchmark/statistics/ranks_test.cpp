@@ -1,11 +1,11 @@
-#include "src/benchmark/statistics/ranks.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "src/analysis/statistics/ranking.h"
 
 namespace ricochet {
 namespace {

@@ -1,10 +1,9 @@
-#include "src/benchmark/statistics/rivals_ahead.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/ranking.h"
 
 namespace ricochet {
 namespace {

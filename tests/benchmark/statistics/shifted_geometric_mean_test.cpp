@@ -1,10 +1,10 @@
-#include "src/benchmark/statistics/shifted_geometric_mean.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "src/analysis/statistics/running_time.h"
 
 namespace ricochet {
 namespace {

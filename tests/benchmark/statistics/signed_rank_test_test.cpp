@@ -1,5 +1,3 @@
-#include "src/benchmark/statistics/signed_rank_test.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "src/analysis/statistics/hypothesis_tests.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

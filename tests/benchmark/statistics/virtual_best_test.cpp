@@ -1,10 +1,9 @@
-#include "src/benchmark/statistics/virtual_best.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "src/analysis/statistics/break_even.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

@@ -1,10 +1,10 @@
-#include "src/benchmark/statistics/wilson_interval.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <stdexcept>
+
+#include "src/analysis/statistics/intervals.h"
 
 namespace ricochet {
 namespace {

@@ -1,15 +1,13 @@
-#include "src/benchmark/stress/study.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <csignal>
 
-#include "src/benchmark/stress/pathological_problems.h"
 #include "src/core/instance.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
+#include "src/studies/stress/stress.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,7 +1,7 @@
-#include "problems/carrier_track/advice/answer_notes.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "src/studies/machine/answer.h"
 
 namespace ricochet::studies::advice {
 namespace {

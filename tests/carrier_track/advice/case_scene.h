@@ -1,7 +1,6 @@
 #pragma once
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::studies::advice {
 

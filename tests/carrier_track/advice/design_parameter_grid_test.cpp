@@ -1,9 +1,8 @@
-#include "problems/carrier_track/advice/design_parameter_grid.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/counting/limit.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/count.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/design_parameters.h"
 #include "tests/carrier_track/advice/case_scene.h"
 #include "tests/carrier_track/problems/planar_second_case.h"
 

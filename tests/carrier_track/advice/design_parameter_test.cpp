@@ -1,5 +1,3 @@
-#include "problems/carrier_track/advice/design_parameter.h"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <limits>
 
 #include "ricochet/scene.h"
+#include "src/studies/machine/design_parameters.h"
 #include "tests/carrier_track/advice/case_scene.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,10 +1,8 @@
-#include "problems/carrier_track/advice/model_choice.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/answer.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -1,12 +1,11 @@
-#include "problems/carrier_track/advice/path_chart.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "problems/carrier_track/counting/recording.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/charts.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,11 +1,9 @@
-#include "problems/carrier_track/advice/quiet_speed_answer.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/answer.h"
 #include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::studies::advice {

@@ -1,12 +1,10 @@
-#include "problems/carrier_track/advice/regime_curve_table.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <string>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/machine/regime_tables.h"
 
 namespace ricochet::studies::advice {
 namespace {

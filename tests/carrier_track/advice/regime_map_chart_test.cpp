@@ -1,13 +1,11 @@
-#include "problems/carrier_track/advice/regime_map_chart.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/machine/charts.h"
 
 namespace ricochet::studies::advice {
 namespace {

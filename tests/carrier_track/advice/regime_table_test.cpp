@@ -1,7 +1,7 @@
-#include "problems/carrier_track/advice/regime_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "src/studies/machine/regime_tables.h"
 
 namespace ricochet::studies::advice {
 namespace {

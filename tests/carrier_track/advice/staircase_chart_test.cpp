@@ -1,12 +1,9 @@
-#include "problems/carrier_track/advice/staircase_chart.h"
-
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/recording.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/charts.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -1,13 +1,12 @@
-#include "problems/carrier_track/advice/study.h"
+#include "src/studies/machine/study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "ricochet/threshold.h"
-#include "ricochet/time_limit.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::carrier_track {

@@ -1,15 +1,13 @@
-#include "problems/carrier_track/answer/sensitivity.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/counting/quiet_speed.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "ricochet/threshold.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
 namespace ricochet::carrier_track {

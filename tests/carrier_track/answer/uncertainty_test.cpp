@@ -1,10 +1,9 @@
-#include "problems/carrier_track/answer/uncertainty.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/scene/scene_file.h"
 
 namespace ricochet::carrier_track {

@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/scene/lifted.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

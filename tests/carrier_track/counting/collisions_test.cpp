@@ -1,5 +1,3 @@
-#include "problems/carrier_track/counting/collisions.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "src/research/surrogate/largest_jump.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/surrogate/continuity.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/counting/complete_scan.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

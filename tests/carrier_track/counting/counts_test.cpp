@@ -1,13 +1,12 @@
-#include "problems/carrier_track/counting/counts.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count_scan.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/error.h"
-#include "ricochet/simulate.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,14 +1,12 @@
-#include "problems/carrier_track/counting/exclusion.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/counts.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/counting/staircase.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

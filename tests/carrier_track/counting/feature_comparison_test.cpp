@@ -1,9 +1,7 @@
-#include "problems/carrier_track/counting/feature_comparison.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/check/oracle/hostile_scenes.h"
-#include "problems/carrier_track/counting/neighbours.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/certainty.h"
 
 namespace ricochet::carrier_track {
 namespace {

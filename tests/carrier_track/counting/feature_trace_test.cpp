@@ -1,13 +1,12 @@
-#include "problems/carrier_track/counting/feature_trace.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/models/simulate.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/counting/certainty.h"
+#include "problems/carrier_track/motion/simulate.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,13 +1,11 @@
-#include "problems/carrier_track/counting/fidelity_choice.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

@@ -1,10 +1,9 @@
-#include "problems/carrier_track/counting/limit.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/count.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
 namespace ricochet::carrier_track {

@@ -1,12 +1,11 @@
-#include "problems/carrier_track/counting/neighbours.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/certainty.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

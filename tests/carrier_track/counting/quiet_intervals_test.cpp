@@ -1,8 +1,7 @@
-#include "problems/carrier_track/counting/quiet_intervals.h"
-
 #include <gtest/gtest.h>
 
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/staircase.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/count.h"
 #include "ricochet/error.h"
-#include "ricochet/recording.h"
-#include "ricochet/simulate.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -4,12 +4,11 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/answer/sensitivity.h"
+#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "ricochet/random.h"
-#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,11 +1,10 @@
-#include "problems/carrier_track/counting/step_sharpness.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/staircase.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

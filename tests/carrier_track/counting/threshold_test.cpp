@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/counting/count.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -1,10 +1,9 @@
-#include "problems/carrier_track/counting/wear.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ricochet/recording.h"
+#include "problems/carrier_track/counting/count.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

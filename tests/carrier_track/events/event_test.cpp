@@ -1,4 +1,4 @@
-#include "problems/carrier_track/events/event.h"
+#include "problems/carrier_track/motion/event.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
-#include "problems/carrier_track/events/stick_release.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "problems/carrier_track/motion/event.h"
 #include "tests/carrier_track/flight/random_flights.h"
 #include "tests/core/infinity.h"
 

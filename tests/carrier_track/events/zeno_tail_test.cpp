@@ -1,8 +1,8 @@
-#include "problems/carrier_track/events/zeno_tail.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "problems/carrier_track/motion/event.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,9 +1,8 @@
-#include "problems/carrier_track/flight/dual_ramp_flight.h"
-
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/ramp_flight.h"
 #include "tests/carrier_track/flight/random_ramp_forces.h"
 
 namespace ricochet::carrier_track {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/flight/flight.h"
+#include "problems/carrier_track/motion/flight.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>

@@ -1,15 +1,15 @@
-#include "problems/carrier_track/flight/profile_forces.h"
+#include "problems/carrier_track/motion/profile_forces.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/scene/lifted.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

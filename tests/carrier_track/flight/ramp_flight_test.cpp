@@ -1,4 +1,4 @@
-#include "problems/carrier_track/flight/ramp_flight.h"
+#include "problems/carrier_track/motion/ramp_flight.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "tests/carrier_track/flight/random_ramp_forces.h"
 
 namespace ricochet::carrier_track {

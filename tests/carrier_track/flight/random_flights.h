@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "problems/carrier_track/flight/flight.h"
+#include "problems/carrier_track/motion/flight.h"
 
 namespace ricochet::carrier_track {
 

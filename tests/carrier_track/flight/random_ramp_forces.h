@@ -1,7 +1,7 @@
 #pragma once
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/flight/ramp_forces.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/forces.h"
 
 namespace ricochet::carrier_track {
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/scene/lifted.h"
-#include "ricochet/recording.h"
-#include "src/core/difference.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
+#include "src/core/numeric.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

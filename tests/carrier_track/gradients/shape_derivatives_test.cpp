@@ -11,11 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/gradients/derivatives.h"
-#include "problems/carrier_track/gradients/event_sums.h"
-#include "problems/carrier_track/problems/profile.h"
-#include "problems/carrier_track/scene/lifted.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/profile.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

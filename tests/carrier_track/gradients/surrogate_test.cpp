@@ -1,5 +1,3 @@
-#include "problems/carrier_track/gradients/surrogate.h"
-
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
@@ -9,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/scene/lifted.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/scene/scene_fields.h"
-#include "src/core/difference.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/core/numeric.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/gradients/trust.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/gradients/derivatives.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

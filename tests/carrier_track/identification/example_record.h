@@ -1,9 +1,9 @@
 #pragma once
 
 #include "problems/carrier_track/identification/knock_unknowns.h"
-#include "problems/carrier_track/identification/synthetic_knocks.h"
 #include "ricochet/random.h"
 #include "ricochet/scene.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 namespace ricochet::carrier_track {
 

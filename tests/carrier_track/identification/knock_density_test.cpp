@@ -1,10 +1,9 @@
-#include "problems/carrier_track/identification/knock_density.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/identification/knock_loss.h"
 #include "problems/carrier_track/identification/knock_unknowns.h"
 
 namespace ricochet::carrier_track {

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/identification/knock_file.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "problems/carrier_track/identification/knock_record.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/identification/example_record.h"
 

@@ -1,9 +1,8 @@
-#include "problems/carrier_track/identification/next_speed.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "problems/carrier_track/identification/knock_problem.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::carrier_track {

@@ -1,11 +1,10 @@
-#include "problems/carrier_track/identification/predicted_impact.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "ricochet/simulate.h"
+#include "problems/carrier_track/identification/knock_unknowns.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::carrier_track {

@@ -1,8 +1,7 @@
-#include "problems/carrier_track/identification/safe_speed.h"
-
 #include <gtest/gtest.h>
 
-#include "ricochet/simulate.h"
+#include "problems/carrier_track/identification/knock_record.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::carrier_track {

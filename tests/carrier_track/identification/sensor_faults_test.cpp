@@ -1,11 +1,10 @@
-#include "problems/carrier_track/identification/sensor_faults.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "tests/carrier_track/identification/example_record.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/identification/synthetic_knocks.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "problems/carrier_track/identification/knock_unknowns.h"
-#include "problems/carrier_track/identification/predicted_impact.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::carrier_track {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

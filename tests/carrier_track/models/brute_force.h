@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/recording.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {

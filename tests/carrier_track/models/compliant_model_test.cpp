@@ -1,4 +1,4 @@
-#include "problems/carrier_track/models/compliant_model.h"
+#include "problems/carrier_track/motion/compliant_model.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/models/impact_lanes.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -7,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/hostile_scenes.h"
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/motion/impact_model.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/core/infinity.h"

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/models/lanes.h"
+#include "problems/carrier_track/motion/lanes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/models/lane_flight.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/lane_flight.h"
 
 namespace ricochet::carrier_track {
 namespace {

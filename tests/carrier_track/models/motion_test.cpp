@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/scene/contact_law.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/scene/lifted.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 

@@ -1,10 +1,9 @@
-#include "problems/carrier_track/models/planar_axis.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/motion/planar_model.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {

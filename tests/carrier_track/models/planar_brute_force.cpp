@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/carrier_track/models/impact_model.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/comparison.h"
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

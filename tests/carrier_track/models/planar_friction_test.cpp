@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/planar_brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/core/infinity.h"

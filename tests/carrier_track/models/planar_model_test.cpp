@@ -1,4 +1,4 @@
-#include "problems/carrier_track/models/planar_model.h"
+#include "problems/carrier_track/motion/planar_model.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "tests/carrier_track/models/watch.h"
 

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/motion/simulate.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/hostile_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

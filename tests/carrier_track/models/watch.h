@@ -3,9 +3,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/models/simulate.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/motion/simulate.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 

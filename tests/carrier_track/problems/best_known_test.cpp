@@ -1,4 +1,4 @@
-#include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/suite/best_known.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,9 +6,9 @@
 
 #include <limits>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "src/core/suite_version.h"
+#include "src/core/seed.h"
 
 namespace ricochet::carrier_track {
 namespace {

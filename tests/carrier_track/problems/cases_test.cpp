@@ -1,11 +1,10 @@
-#include "problems/carrier_track/problems/cases.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

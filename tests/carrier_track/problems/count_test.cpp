@@ -1,10 +1,9 @@
-#include "problems/carrier_track/problems/count.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "src/core/instance.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/problems/design.h"
+#include "problems/carrier_track/suite/design.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/suite/families.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

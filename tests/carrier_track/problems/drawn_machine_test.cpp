@@ -1,5 +1,3 @@
-#include "problems/carrier_track/problems/drawn_machine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +6,9 @@
 #include <variant>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/scene.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

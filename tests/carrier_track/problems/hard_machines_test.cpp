@@ -1,4 +1,4 @@
-#include "problems/carrier_track/problems/hard_machines.h"
+#include "problems/carrier_track/suite/hard_machines.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/speed_problem.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
+#include "ricochet/run.h"
 #include "ricochet/scene.h"
-#include "ricochet/verdict.h"
 
 namespace ricochet::carrier_track {
 namespace {

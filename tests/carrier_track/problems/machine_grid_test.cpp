@@ -1,5 +1,3 @@
-#include "problems/carrier_track/problems/machine_grid.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,12 +5,12 @@
 #include <set>
 #include <string>
 
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/count.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/problems/families.h"
-#include "problems/carrier_track/problems/scanned_best.h"
+#include "problems/carrier_track/suite/best_known.h"
+#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 
 namespace ricochet::carrier_track {

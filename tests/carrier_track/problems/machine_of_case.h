@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -1,10 +1,9 @@
-#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/suite/machine.h"
 
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/problems/quiet_rule.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 

@@ -1,8 +1,8 @@
-#include "problems/carrier_track/problems/problem_from_function.h"
+#include "problems/carrier_track/suite/problem_from_function.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/suite/families.h"
 #include "src/core/instance.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/core/hessian_check.h"

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/problems/profile.h"
+#include "problems/carrier_track/suite/profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,11 @@
-#include "problems/carrier_track/problems/quiet_rule.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/problems/speed_range.h"
-#include "ricochet/regimes.h"
-#include "ricochet/threshold.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,9 +1,9 @@
-#include "problems/carrier_track/problems/risk_measure.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "problems/carrier_track/suite/robust.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/problems/robust.h"
+#include "problems/carrier_track/suite/robust.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,12 @@
-#include "problems/carrier_track/problems/scanned_best.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "problems/carrier_track/problems/count.h"
-#include "problems/carrier_track/problems/top_speed.h"
-#include "ricochet/verdict.h"
+#include "problems/carrier_track/suite/best_known.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "ricochet/run.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/research/best_values/some_problems.h"
 

@@ -1,11 +1,9 @@
-#include "problems/carrier_track/problems/top_speed.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/speed_problem.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/carrier_track/problems/machine_of_case.h"

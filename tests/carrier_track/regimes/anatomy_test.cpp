@@ -1,9 +1,8 @@
-#include "problems/carrier_track/regimes/anatomy.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/simulate.h"
+#include "problems/carrier_track/regimes/basins.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
+#include "ricochet/machine.h"
 #include "ricochet/random.h"
-#include "ricochet/regimes.h"
 #include "tests/carrier_track/regimes/shaken_table.h"
 
 namespace ricochet::carrier_track {

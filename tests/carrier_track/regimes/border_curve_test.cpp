@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/regimes/orbit_map.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "ricochet/regimes.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 #include "tests/carrier_track/regimes/shaken_table.h"
 

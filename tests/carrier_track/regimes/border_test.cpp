@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/shaken_table.h"
 
 namespace ricochet::carrier_track {

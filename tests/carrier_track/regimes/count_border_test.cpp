@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/regimes/observed_turn.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {

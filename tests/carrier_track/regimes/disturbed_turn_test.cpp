@@ -1,5 +1,3 @@
-#include "problems/carrier_track/regimes/disturbed_turn.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,9 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
-#include "problems/carrier_track/regimes/observed_turn.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

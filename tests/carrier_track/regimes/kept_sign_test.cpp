@@ -1,10 +1,10 @@
-#include "problems/carrier_track/regimes/kept_sign.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "problems/carrier_track/regimes/border.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/scene/window.h"
-#include "ricochet/regimes.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 

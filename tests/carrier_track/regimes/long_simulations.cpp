@@ -10,11 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
-#include "problems/carrier_track/regimes/observed_turn.h"
-#include "ricochet/regimes.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/regimes/long_simulation.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 

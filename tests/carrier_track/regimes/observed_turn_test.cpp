@@ -1,11 +1,10 @@
-#include "problems/carrier_track/regimes/observed_turn.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {

@@ -1,11 +1,10 @@
-#include "problems/carrier_track/regimes/phase_window.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/regimes/sampled_turns.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

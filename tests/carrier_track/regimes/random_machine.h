@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/scene/window.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/random.h"
 #include "ricochet/scene.h"
 

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/regimes/rare_turns.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {

@@ -1,5 +1,3 @@
-#include "ricochet/regimes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,13 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/counting/wear.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
-#include "problems/carrier_track/scene/window.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "ricochet/time_limit.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/regimes/long_simulation.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 

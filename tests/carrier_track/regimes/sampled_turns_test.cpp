@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "ricochet/regimes.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 #include "tests/carrier_track/regimes/shaken_table.h"
 

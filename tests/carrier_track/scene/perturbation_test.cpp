@@ -1,5 +1,3 @@
-#include "problems/carrier_track/scene/perturbation.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/scene/quantity.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/toml_table.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,11 +1,10 @@
-#include "problems/carrier_track/scene/release.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track {
 namespace {

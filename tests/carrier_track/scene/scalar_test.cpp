@@ -1,7 +1,7 @@
-#include "ricochet/scalar.h"
-
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
+
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

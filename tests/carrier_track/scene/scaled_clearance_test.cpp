@@ -1,8 +1,8 @@
-#include "problems/carrier_track/scene/scaled_clearance.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "tests/core/infinity.h"
 

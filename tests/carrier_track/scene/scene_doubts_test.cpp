@@ -1,5 +1,3 @@
-#include "problems/carrier_track/scene/scene_doubts.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

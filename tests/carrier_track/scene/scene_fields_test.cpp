@@ -15,12 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/scene/lifted.h"
-#include "problems/carrier_track/scene/perturbation.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
-#include "src/core/text_file.h"
+#include "src/core/files.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {

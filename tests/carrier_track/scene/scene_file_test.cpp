@@ -12,7 +12,7 @@
 #include <system_error>
 #include <vector>
 
-#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"

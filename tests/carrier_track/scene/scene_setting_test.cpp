@@ -1,13 +1,11 @@
-#include "problems/carrier_track/scene/scene_setting.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/scene_file.h"
-#include "problems/carrier_track/scene/scene_keys.h"
 #include "ricochet/error.h"
 
 namespace ricochet::carrier_track {

@@ -1,11 +1,11 @@
-#include "problems/carrier_track/scene/window.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "problems/carrier_track/scene/scene_values.h"
 
 namespace ricochet::carrier_track {
 namespace {

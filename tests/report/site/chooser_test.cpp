@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "src/report/site/comparison_data.h"
+#include "src/report/site/entries.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,7 +1,6 @@
-#include "src/report/site/cite_page.h"
-
 #include <gmock/gmock.h>
 
+#include "src/report/site/front_page.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

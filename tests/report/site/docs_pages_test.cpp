@@ -1,11 +1,10 @@
-#include "src/report/site/docs_pages.h"
-
 #include <gmock/gmock.h>
 
 #include <iterator>
 #include <regex>
 #include <set>
 
+#include "src/report/site/site.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,7 +1,6 @@
-#include "src/report/site/machine_grid.h"
-
 #include <gtest/gtest.h>
 
+#include "src/report/site/machine_page.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "src/report/site/machine_grid.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "src/report/json.h"
-#include "src/report/site/found_report.h"
+#include "src/report/site/entries.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::site {

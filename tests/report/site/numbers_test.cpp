@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "src/report/data_text.h"
 #include "src/report/json.h"
 #include "src/report/report.h"
+#include "src/report/text.h"
 
 /// Every number of every committed page stands in the data beside it, or in the template's own
 /// words.

@@ -1,7 +1,6 @@
-#include "src/report/site/own_page.h"
-
 #include <gtest/gtest.h>
 
+#include "src/report/site/navigation.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,5 +1,3 @@
-#include "src/report/site/page_mark.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <iterator>
 #include <string>
 
+#include "src/report/site/navigation.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::site {

@@ -1,8 +1,7 @@
-#include "src/report/site/pairs.h"
-
 #include <gmock/gmock.h>
 
-#include "src/report/site/front_charts.h"
+#include "src/report/site/chooser.h"
+#include "src/report/site/front.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,7 +1,6 @@
-#include "src/report/site/place.h"
-
 #include <gmock/gmock.h>
 
+#include "src/report/site/navigation.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,11 +1,10 @@
-#include "src/report/site/publication.h"
-
 #include <gmock/gmock.h>
 
 #include <iterator>
 #include <regex>
 
 #include "ricochet/error.h"
+#include "src/report/site/site.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "src/report/data_text.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
+#include "src/report/text.h"
 
 /// What is committed of the reference report, and of Markdown: small, whole, and as it is written.
 namespace ricochet::site {

@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "src/report/data_text.h"
+#include "src/report/text.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -1,13 +1,13 @@
-#include "src/research/best_values/best_values.h"
+#include "src/studies/best_values/best_values.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "src/core/text_file.h"
+#include "src/core/files.h"
 #include "tests/research/best_values/some_problems.h"
 
 namespace ricochet::studies::best_values {

@@ -1,18 +1,17 @@
-#include "src/research/best_values/hard_search.h"
+#include "src/studies/best_values/hard_search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "ricochet/machine.h"
 #include "ricochet/run.h"
 #include "ricochet/scene.h"
-#include "ricochet/threshold.h"
-#include "ricochet/verdict.h"
-#include "solvers/bisection.h"
+#include "solvers/basic_solvers.h"
 
 namespace ricochet::studies::best_values {
 namespace {

@@ -1,10 +1,9 @@
-#include "src/research/best_values/search.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
+#include "src/studies/best_values/best_values.h"
 #include "tests/research/best_values/some_problems.h"
 
 namespace ricochet::studies::best_values {

@@ -1,11 +1,9 @@
-#include "src/research/best_values/stored_values.h"
-
 #include <gtest/gtest.h>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/store/store.h"
 #include "src/core/instance.h"
-#include "src/research/best_values/known_values.h"
+#include "src/experiment/store.h"
+#include "src/studies/best_values/best_values.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/research/best_values/some_problems.h"
 

@@ -1,4 +1,4 @@
-#include "src/research/calibration/appraisal.h"
+#include "src/studies/calibration/appraisal.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "ricochet/threshold.h"
-#include "src/research/paper/fitted_interpretation.h"
+#include "ricochet/machine.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies::calibration {
 namespace {

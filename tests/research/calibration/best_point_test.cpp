@@ -1,8 +1,8 @@
-#include "src/research/calibration/best_point.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "src/studies/calibration/fit.h"
 
 namespace ricochet::studies::calibration {
 namespace {

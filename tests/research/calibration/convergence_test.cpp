@@ -1,11 +1,11 @@
-#include "src/research/calibration/convergence.h"
+#include "src/studies/calibration/convergence.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "src/research/paper/loss.h"
+#include "src/studies/paper/loss.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

@@ -1,5 +1,3 @@
-#include "src/research/calibration/fit_store.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <sstream>
 
 #include "ricochet/error.h"
+#include "src/studies/calibration/fit.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

@@ -1,5 +1,3 @@
-#include "src/research/calibration/fit_task.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,7 +8,8 @@
 #include <sstream>
 
 #include "ricochet/error.h"
-#include "src/research/paper/loss.h"
+#include "src/studies/calibration/fit.h"
+#include "src/studies/paper/loss.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

@@ -1,8 +1,8 @@
-#include "src/research/calibration/fit.h"
+#include "src/studies/calibration/fit.h"
 
 #include <gtest/gtest.h>
 
-#include "src/research/paper/loss.h"
+#include "src/studies/paper/loss.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

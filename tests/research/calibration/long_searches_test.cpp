@@ -1,11 +1,10 @@
-#include "src/research/calibration/long_searches.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "src/studies/calibration/results.h"
 #include "tests/research/calibration/tiny_plan.h"
 
 namespace ricochet::studies::calibration {

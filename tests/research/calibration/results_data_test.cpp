@@ -5,7 +5,7 @@
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/research/calibration/results.h"
+#include "src/studies/calibration/results.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

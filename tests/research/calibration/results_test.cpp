@@ -1,4 +1,4 @@
-#include "src/research/calibration/results.h"
+#include "src/studies/calibration/results.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,7 +1,6 @@
-#include "src/research/calibration/sensitivity.h"
-
 #include <gtest/gtest.h>
 
+#include "src/studies/calibration/appraisal.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ricochet/solvers.h"
-#include "solvers/ceres_least_squares.h"
-#include "src/research/calibration/fit.h"
-#include "src/research/paper/fitted_interpretation.h"
+#include "ricochet/solver.h"
+#include "solvers/ceres.h"
+#include "src/studies/calibration/fit.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies::calibration {
 

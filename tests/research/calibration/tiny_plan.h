@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/research/calibration/results.h"
+#include "src/studies/calibration/results.h"
 #include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

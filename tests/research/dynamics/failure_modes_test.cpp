@@ -1,4 +1,4 @@
-#include "src/research/dynamics/failure_modes.h"
+#include "src/studies/dynamics/failure_modes.h"
 
 #include <gtest/gtest.h>
 

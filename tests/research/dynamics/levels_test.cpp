@@ -1,10 +1,9 @@
-#include "src/research/dynamics/levels.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/dynamics/fidelity.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/dynamics/lyapunov.h"
+#include "src/studies/dynamics/lyapunov.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/models/simulate.h"
-#include "problems/carrier_track/scene/lifted.h"
-#include "src/research/dynamics/work.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/simulate.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "src/studies/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

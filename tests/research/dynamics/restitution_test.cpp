@@ -1,8 +1,8 @@
-#include "src/research/dynamics/restitution.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "src/studies/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

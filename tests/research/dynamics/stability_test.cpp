@@ -1,4 +1,4 @@
-#include "src/research/dynamics/stability.h"
+#include "src/studies/dynamics/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "problems/carrier_track/scene/contact_law.h"
-#include "ricochet/recording.h"
-#include "src/research/dynamics/work.h"
+#include "ricochet/machine.h"
+#include "src/studies/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/dynamics/study.h"
+#include "src/studies/dynamics/study.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,11 @@
-#include "src/research/dynamics/thresholds.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "problems/carrier_track/problems/machine.h"
-#include "problems/carrier_track/problems/speed_problem.h"
-#include "problems/carrier_track/problems/top_speed.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "src/studies/dynamics/fidelity.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

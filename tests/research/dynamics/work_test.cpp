@@ -1,9 +1,9 @@
-#include "src/research/dynamics/work.h"
+#include "src/studies/dynamics/work.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/models/compliant_model.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/motion/compliant_model.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

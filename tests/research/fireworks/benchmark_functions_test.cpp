@@ -1,10 +1,10 @@
-#include "src/research/fireworks/benchmark_functions.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "src/studies/fireworks/functions.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/research/fireworks/cec2013.h"
+#include "src/studies/fireworks/cec2013.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "ricochet/run.h"
-#include "solvers/fireworks/bare_bones_fireworks.h"
+#include "solvers/fireworks/dynamic_fireworks.h"
 #include "src/core/instance.h"
 
 namespace ricochet::studies::fireworks {

@@ -1,12 +1,11 @@
-#include "src/research/fireworks/errors.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/random_search.h"
-#include "src/research/fireworks/benchmark_functions.h"
+#include "solvers/basic_solvers.h"
+#include "src/studies/fireworks/functions.h"
+#include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

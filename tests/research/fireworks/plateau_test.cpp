@@ -1,6 +1,6 @@
-#include "src/research/fireworks/plateau.h"
-
 #include <gtest/gtest.h>
+
+#include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

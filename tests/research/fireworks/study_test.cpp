@@ -1,13 +1,10 @@
-#include "src/research/fireworks/study.h"
+#include "src/studies/fireworks/study.h"
 
 #include <gtest/gtest.h>
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/research/fireworks/competition.h"
-#include "src/research/fireworks/plateau.h"
-#include "src/research/fireworks/shift.h"
-#include "src/research/fireworks/table_3.h"
+#include "src/studies/fireworks/functions.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,7 +1,6 @@
-#include "src/research/impact_test/answer.h"
-
 #include <gmock/gmock.h>
 
+#include "src/studies/impact_test/test_scene.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {

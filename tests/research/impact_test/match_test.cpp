@@ -1,6 +1,6 @@
-#include "src/research/impact_test/match.h"
-
 #include <gmock/gmock.h>
+
+#include "src/studies/impact_test/score.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

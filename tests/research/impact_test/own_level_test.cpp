@@ -1,8 +1,7 @@
-#include "src/research/impact_test/own_level.h"
-
 #include <gtest/gtest.h>
 
-#include "src/research/impact_test/score.h"
+#include "src/studies/impact_test/score.h"
+#include "src/studies/impact_test/simulator.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/impact_test/results.h"
+#include "src/studies/impact_test/results.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,6 @@
-#include "src/research/impact_test/scene_set.h"
-
 #include <gtest/gtest.h>
 
+#include "src/studies/impact_test/scene_kinds.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {

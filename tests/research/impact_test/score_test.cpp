@@ -1,4 +1,4 @@
-#include "src/research/impact_test/score.h"
+#include "src/studies/impact_test/score.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
-#include "src/research/impact_test/scored_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <set>
 
 #include "problems/carrier_track/scene/scene_check.h"
-#include "src/research/impact_test/scene_kind.h"
+#include "src/studies/impact_test/scene_kinds.h"
+#include "src/studies/impact_test/smallest_scene.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

@@ -1,9 +1,9 @@
-#include "src/research/impact_test/smallest_scene.h"
+#include "src/studies/impact_test/smallest_scene.h"
 
 #include <gmock/gmock.h>
 
-#include "src/research/impact_test/own_level.h"
-#include "src/research/impact_test/score.h"
+#include "src/studies/impact_test/score.h"
+#include "src/studies/impact_test/simulator.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

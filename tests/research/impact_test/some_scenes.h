@@ -5,8 +5,8 @@
 #include <iterator>
 #include <string>
 
-#include "src/core/scratch_folder.h"
-#include "src/research/impact_test/scored_scene.h"
+#include "src/core/files.h"
+#include "src/studies/impact_test/smallest_scene.h"
 
 namespace ricochet::studies::impact_test {
 

@@ -1,7 +1,6 @@
-#include "src/research/impact_test/tally.h"
-
 #include <gtest/gtest.h>
 
+#include "src/studies/impact_test/score.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {

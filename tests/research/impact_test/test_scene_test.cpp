@@ -1,10 +1,10 @@
-#include "src/research/impact_test/test_scene.h"
+#include "src/studies/impact_test/test_scene.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/flight/applied_forces.h"
-#include "problems/carrier_track/flight/profile_forces.h"
-#include "src/research/impact_test/scored_scene.h"
+#include "problems/carrier_track/motion/forces.h"
+#include "problems/carrier_track/motion/profile_forces.h"
+#include "src/studies/impact_test/smallest_scene.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

@@ -1,7 +1,6 @@
-#include "src/research/impact_test/tool_program.h"
-
 #include <gmock/gmock.h>
 
+#include "src/studies/impact_test/tool.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {

@@ -1,8 +1,7 @@
-#include "src/research/impact_test/tool_session.h"
-
 #include <gmock/gmock.h>
 
-#include "src/research/impact_test/score.h"
+#include "src/studies/impact_test/score.h"
+#include "src/studies/impact_test/tool.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {

@@ -1,4 +1,4 @@
-#include "src/research/impact_test/tool.h"
+#include "src/studies/impact_test/tool.h"
 
 #include <gmock/gmock.h>
 

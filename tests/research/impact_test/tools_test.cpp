@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "src/research/impact_test/score.h"
-#include "src/research/impact_test/simulator.h"
-#include "src/research/impact_test/tally.h"
+#include "src/studies/impact_test/score.h"
+#include "src/studies/impact_test/simulator.h"
 #include "tests/research/impact_test/some_scenes.h"
 
 /// Tools as they are, where they are installed: the others are skipped, and say so.

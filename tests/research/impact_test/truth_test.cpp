@@ -1,9 +1,8 @@
-#include "src/research/impact_test/truth.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/check/oracle/oracle.h"
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "src/studies/impact_test/test_scene.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

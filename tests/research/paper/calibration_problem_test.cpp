@@ -1,9 +1,7 @@
-#include "src/research/paper/calibration_problem.h"
-
 #include <gtest/gtest.h>
 
-#include "src/research/paper/fitted_interpretation.h"
-#include "src/research/paper/loss.h"
+#include "src/studies/paper/interpretation.h"
+#include "src/studies/paper/loss.h"
 
 namespace ricochet::carrier_track {
 namespace {

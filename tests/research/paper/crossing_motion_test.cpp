@@ -1,9 +1,9 @@
-#include "src/research/paper/crossing_motion.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "src/studies/paper/theory.h"
 
 namespace ricochet::carrier_track {
 namespace {

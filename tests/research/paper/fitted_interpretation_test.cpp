@@ -1,12 +1,11 @@
-#include "src/research/paper/fitted_interpretation.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/paper/interpretation.h"
+#include "src/studies/paper/interpretation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
-#include "src/research/paper/loss.h"
+#include "src/studies/paper/loss.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "src/research/paper/fitted_interpretation.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::carrier_track {
 namespace {

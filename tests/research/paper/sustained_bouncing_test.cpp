@@ -1,5 +1,3 @@
-#include "src/research/paper/sustained_bouncing.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "src/studies/paper/theory.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

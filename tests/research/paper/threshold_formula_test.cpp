@@ -1,12 +1,10 @@
-#include "src/research/paper/threshold_formula.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/research/paper/sustained_bouncing.h"
+#include "src/studies/paper/theory.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {

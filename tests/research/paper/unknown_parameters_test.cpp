@@ -1,11 +1,10 @@
-#include "src/research/paper/unknown_parameters.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/reproduction/conclusions.h"
+#include "src/studies/reproduction/conclusions.h"
 
 #include <gtest/gtest.h>
 

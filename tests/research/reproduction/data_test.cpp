@@ -1,4 +1,4 @@
-#include "src/research/reproduction/data.h"
+#include "src/studies/reproduction/data.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,8 @@
 #include <map>
 #include <set>
 
-#include "ricochet/regimes.h"
-#include "ricochet/threshold.h"
-#include "src/research/suite/catalogue.h"
+#include "ricochet/machine.h"
+#include "src/studies/suite/catalogue.h"
 #include "tests/research/reproduction/drawn_results.h"
 #include "tests/research/reproduction/tiny_plan.h"
 

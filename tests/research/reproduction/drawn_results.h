@@ -5,7 +5,7 @@
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/research/reproduction/study.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 

@@ -1,11 +1,10 @@
-#include "src/research/reproduction/order_bound.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "ricochet/random.h"
+#include "src/studies/reproduction/theory_data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/reproduction/study.h"
+#include "src/studies/reproduction/study.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "ricochet/error.h"
-#include "src/research/suite/catalogue.h"
+#include "src/studies/suite/catalogue.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/research/reproduction/tiny_plan.h"
 

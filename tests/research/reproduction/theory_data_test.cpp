@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "src/research/paper/sustained_bouncing.h"
-#include "src/research/paper/threshold_formula.h"
+#include "src/studies/paper/theory.h"
 #include "tests/research/reproduction/drawn_results.h"
 #include "tests/research/reproduction/tiny_plan.h"
 

@@ -1,11 +1,10 @@
-#include "src/research/reproduction/threshold_curves.h"
+#include "src/studies/reproduction/threshold_curves.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/problems/speed_range.h"
-#include "ricochet/regimes.h"
-#include "ricochet/threshold.h"
-#include "src/research/paper/fitted_interpretation.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+#include "ricochet/machine.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

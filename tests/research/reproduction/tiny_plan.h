@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/benchmark/experiment/campaign/plan.h"
-#include "src/research/reproduction/study.h"
+#include "src/experiment/plan.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 

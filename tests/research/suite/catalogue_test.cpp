@@ -1,4 +1,4 @@
-#include "src/research/suite/catalogue.h"
+#include "src/studies/suite/catalogue.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "src/research/surrogate/bias.h"
+#include "src/studies/surrogate/bias.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

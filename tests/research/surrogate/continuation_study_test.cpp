@@ -1,10 +1,10 @@
-#include "src/research/surrogate/continuation_study.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "src/studies/surrogate/bias.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,14 +1,12 @@
-#include "src/research/surrogate/continuity.h"
+#include "src/studies/surrogate/continuity.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "src/research/surrogate/largest_jump.h"
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/research/surrogate/derivative_check.h"
+#include "src/studies/surrogate/derivative_check.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/suite/families.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

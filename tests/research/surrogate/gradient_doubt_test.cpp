@@ -1,10 +1,9 @@
-#include "src/research/surrogate/gradient_doubt.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "ricochet/problem.h"
+#include "src/studies/surrogate/derivative_check.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,13 +1,13 @@
-#include "src/research/surrogate/grazes.h"
+#include "src/studies/surrogate/grazes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "ricochet/recording.h"
-#include "src/research/paper/fitted_interpretation.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
+#include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,12 +1,11 @@
-#include "src/research/surrogate/growth.h"
+#include "src/studies/surrogate/growth.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/problems/default_machine.h"
-#include "src/research/surrogate/line_fit.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/surrogate/continuity.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/research/surrogate/study.h"
+#include "src/studies/surrogate/study.h"
 
 #include <gtest/gtest.h>
 

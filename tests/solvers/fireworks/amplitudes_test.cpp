@@ -1,9 +1,9 @@
-#include "solvers/fireworks/amplitudes.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
+
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -1,11 +1,10 @@
-#include "solvers/fireworks/bare_bones_fireworks.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
 
+#include "solvers/fireworks/dynamic_fireworks.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

@@ -1,9 +1,9 @@
-#include "solvers/fireworks/box.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -1,9 +1,9 @@
-#include "solvers/fireworks/coordinates.h"
-
 #include <gmock/gmock.h>
 
 #include <map>
 #include <set>
+
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -1,12 +1,11 @@
 // What all members of the family promise beside what every solver does.
 
-#include "solvers/fireworks/fireworks_family.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ricochet/run.h"
+#include "solvers/fireworks/fireworks.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

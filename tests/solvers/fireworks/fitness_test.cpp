@@ -1,9 +1,8 @@
-#include "solvers/fireworks/fitness.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "solvers/fireworks/population.h"
 #include "tests/core/infinity.h"
 #include "tests/solvers/test_problems.h"
 

@@ -1,11 +1,11 @@
-#include "solvers/fireworks/search_distribution.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "solvers/fireworks/population.h"
 
 namespace ricochet::fireworks {
 namespace {

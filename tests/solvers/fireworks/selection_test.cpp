@@ -1,10 +1,10 @@
-#include "solvers/fireworks/selection.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
+
+#include "solvers/fireworks/population.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -1,11 +1,10 @@
-#include "solvers/fireworks/spark_counts.h"
-
 #include <gmock/gmock.h>
 
 #include <numeric>
 #include <stdexcept>
 
 #include "ricochet/random.h"
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 namespace {

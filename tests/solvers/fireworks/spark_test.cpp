@@ -1,8 +1,8 @@
-#include "solvers/fireworks/spark.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "solvers/fireworks/sparks.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -1,9 +1,8 @@
-#include "solvers/mads/barrier.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "solvers/mads.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

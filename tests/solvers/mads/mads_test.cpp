@@ -1,4 +1,4 @@
-#include "solvers/mads/mads.h"
+#include "solvers/mads.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "problems/classic/classic.h"
 #include "ricochet/run.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -1,6 +1,6 @@
-#include "solvers/mads/mesh.h"
-
 #include <gtest/gtest.h>
+
+#include "solvers/mads.h"
 
 namespace ricochet {
 namespace {

@@ -1,10 +1,9 @@
-#include "solvers/mads/poll_directions.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ricochet/random.h"
+#include "solvers/mads.h"
 
 namespace ricochet {
 namespace {

@@ -1,8 +1,7 @@
 // What the simulation takes from the machine that it runs on, where there is no clock and no vector
 // of eight numbers.
-#include "problems/carrier_track/models/lanes.h"
-#include "src/core/processor_time.h"
-#include "src/core/time_limit.h"
+#include "problems/carrier_track/motion/lanes.h"
+#include "src/core/run.h"
 
 namespace ricochet {
 

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/archived_campaign.h"
+#include "src/experiment/archived_campaign.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <string>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/campaign/planned_runs.h"
-#include "src/benchmark/experiment/store/archive.h"
+#include "src/experiment/archive.h"
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/campaign.h"
+#include "src/experiment/campaign.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,10 @@
-#include "src/benchmark/experiment/campaign/completeness.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
-#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
 

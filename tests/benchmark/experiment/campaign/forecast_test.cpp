@@ -1,5 +1,3 @@
-#include "src/benchmark/experiment/campaign/forecast.h"
-
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <unistd.h>
@@ -11,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ricochet/stopwatch.h"
+#include "ricochet/evaluator.h"
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {

@@ -1,11 +1,11 @@
-#include "src/benchmark/experiment/campaign/frame.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <random>
 #include <thread>
+
+#include "src/experiment/service.h"
 
 namespace ricochet {
 namespace {

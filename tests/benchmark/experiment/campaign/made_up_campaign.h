@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "src/benchmark/experiment/campaign/plan.h"
+#include "src/experiment/plan.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/campaign/campaign.h"
 #include "src/core/instance.h"
+#include "src/experiment/campaign.h"
 
 namespace ricochet {
 

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/plan.h"
+#include "src/experiment/plan.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

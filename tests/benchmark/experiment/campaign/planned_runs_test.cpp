@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/experiment/planned_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "src/benchmark/experiment/campaign/runner.h"
+#include "src/experiment/worker.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {

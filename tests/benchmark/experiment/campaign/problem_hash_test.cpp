@@ -1,11 +1,10 @@
-#include "src/benchmark/experiment/campaign/problem_hash.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 #include <set>
 
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {

@@ -1,11 +1,11 @@
-#include "src/benchmark/experiment/campaign/record_text.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
+
+#include "src/experiment/worker.h"
 
 namespace ricochet {
 namespace {

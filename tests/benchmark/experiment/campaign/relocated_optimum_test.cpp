@@ -1,7 +1,6 @@
-#include "src/benchmark/experiment/campaign/relocated_optimum.h"
-
 #include <gtest/gtest.h>
 
+#include "src/experiment/campaign.h"
 #include "tests/benchmark/analysis/valley.h"
 
 namespace ricochet {

@@ -1,5 +1,3 @@
-#include "src/benchmark/experiment/campaign/runner.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,8 +12,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "src/core/files.h"
 #include "src/core/instance.h"
-#include "src/core/text_file.h"
+#include "src/experiment/worker.h"
 
 namespace ricochet {
 namespace {

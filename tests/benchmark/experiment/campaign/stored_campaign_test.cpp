@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "src/experiment/stored_campaign.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/experiment/planned_runs.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/worker.h"
+#include "src/experiment/worker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/campaign/runner.h"
 
 namespace ricochet {
 namespace {

@@ -1,9 +1,8 @@
-#include "src/benchmark/experiment/perturbations/constraints.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/experiment/perturbed_coordinates.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 #include "tests/core/hessian_check.h"
 

@@ -1,11 +1,10 @@
-#include "src/benchmark/experiment/perturbations/coordinates.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <map>
 #include <set>
 
+#include "src/experiment/perturbed_coordinates.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 #include "tests/core/hessian_check.h"
 

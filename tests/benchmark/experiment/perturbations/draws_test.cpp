@@ -1,5 +1,3 @@
-#include "src/benchmark/experiment/perturbations/draws.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <numbers>
 #include <set>
 #include <vector>
+
+#include "src/experiment/perturbations.h"
 
 namespace ricochet {
 namespace {

@@ -1,12 +1,11 @@
-#include "src/benchmark/experiment/perturbations/failures.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ricochet/evaluator.h"
-#include "src/core/processor_time.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
+#include "src/core/run.h"
+#include "src/experiment/perturbed_values.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

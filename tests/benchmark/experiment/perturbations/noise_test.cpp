@@ -1,5 +1,3 @@
-#include "src/benchmark/experiment/perturbations/noise.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "src/experiment/perturbed_values.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

@@ -1,5 +1,7 @@
 // What every perturbation promises.
 
+#include "src/experiment/perturbations.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,10 +10,8 @@
 #include <set>
 
 #include "ricochet/evaluator.h"
-#include "src/benchmark/experiment/perturbations/perturbation.h"
+#include "src/core/evaluator.h"
 #include "src/core/instance.h"
-#include "src/core/penalty.h"
-#include "src/core/scorer.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

@@ -1,9 +1,8 @@
-#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
-
 #include <gtest/gtest.h>
 
 #include "ricochet/evaluator.h"
-#include "src/core/scorer.h"
+#include "src/core/evaluator.h"
+#include "src/experiment/perturbations.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

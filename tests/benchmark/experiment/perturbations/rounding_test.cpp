@@ -1,11 +1,10 @@
-#include "src/benchmark/experiment/perturbations/rounding.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
+#include "src/experiment/perturbed_values.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

@@ -1,8 +1,7 @@
-#include "src/benchmark/experiment/perturbations/start.h"
-
 #include <gtest/gtest.h>
 
 #include "ricochet/run.h"
+#include "src/experiment/perturbations.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

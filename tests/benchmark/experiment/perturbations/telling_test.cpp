@@ -1,9 +1,8 @@
-#include "src/benchmark/experiment/perturbations/telling.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "src/experiment/perturbed_values.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/store/archive.h"
+#include "src/experiment/archive.h"
 
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/store/xz.h"
-#include "src/core/text_file.h"
+#include "src/core/files.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/store/store.h"
+#include "src/experiment/store.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 

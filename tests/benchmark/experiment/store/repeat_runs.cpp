@@ -16,9 +16,9 @@
 #include <map>
 
 #include "ricochet/random.h"
-#include "src/benchmark/experiment/campaign/plan.h"
-#include "src/benchmark/experiment/store/store.h"
-#include "src/core/text_file.h"
+#include "src/core/files.h"
+#include "src/experiment/plan.h"
+#include "src/experiment/store.h"
 
 namespace ricochet {
 namespace {

@@ -1,6 +1,6 @@
-#include "src/benchmark/experiment/store/repeated_terminations.h"
-
 #include <gtest/gtest.h>
+
+#include "src/experiment/run_rows.h"
 
 namespace ricochet {
 namespace {

@@ -1,6 +1,6 @@
-#include "src/benchmark/experiment/store/run_key.h"
-
 #include <gtest/gtest.h>
+
+#include "src/experiment/store.h"
 
 namespace ricochet {
 namespace {

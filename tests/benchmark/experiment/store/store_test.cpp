@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/store/store.h"
+#include "src/experiment/store.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -22,9 +22,9 @@
 #include <thread>
 
 #include "ricochet/error.h"
-#include "src/core/interruption.h"
-#include "src/core/suite_version.h"
-#include "src/core/text_file.h"
+#include "src/core/files.h"
+#include "src/core/progress.h"
+#include "src/core/seed.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 

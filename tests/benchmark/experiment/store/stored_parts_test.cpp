@@ -1,9 +1,8 @@
-#include "src/benchmark/experiment/store/stored_parts.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "src/experiment/merge.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 
 namespace ricochet {

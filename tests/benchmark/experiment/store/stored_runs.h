@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "src/benchmark/experiment/store/store.h"
+#include "src/experiment/store.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

@@ -11,10 +11,9 @@
 #include <limits>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/store/possible_record.h"
-#include "src/benchmark/experiment/store/repeated_terminations.h"
-#include "src/benchmark/experiment/store/store.h"
-#include "src/benchmark/experiment/store/stored_parts.h"
+#include "src/experiment/merge.h"
+#include "src/experiment/run_rows.h"
+#include "src/experiment/store.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,5 +1,3 @@
-#include "src/benchmark/experiment/store/xz.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "ricochet/error.h"
+#include "src/experiment/archive.h"
 
 namespace ricochet {
 namespace {

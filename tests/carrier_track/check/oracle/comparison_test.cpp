@@ -1,10 +1,9 @@
-#include "problems/carrier_track/check/oracle/comparison.h"
-
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/check/oracle/hostile_scenes.h"
-#include "problems/carrier_track/problems/cases.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/oracle.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

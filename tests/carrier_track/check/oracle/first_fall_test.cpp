@@ -1,11 +1,10 @@
-#include "problems/carrier_track/check/oracle/first_fall.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/body.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

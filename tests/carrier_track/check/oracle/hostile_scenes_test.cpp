@@ -1,5 +1,3 @@
-#include "problems/carrier_track/check/oracle/hostile_scenes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,9 +6,10 @@
 #include <numbers>
 #include <set>
 
-#include "problems/carrier_track/check/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/check/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

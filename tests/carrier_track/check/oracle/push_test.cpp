@@ -1,11 +1,11 @@
-#include "problems/carrier_track/check/oracle/push.h"
+#include "problems/carrier_track/check/push.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/random_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "problems/carrier_track/check/oracle/term_push.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "problems/carrier_track/check/push.h"
 
 namespace ricochet::carrier_track {
 namespace {

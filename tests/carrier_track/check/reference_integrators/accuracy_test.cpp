@@ -1,8 +1,7 @@
-#include "problems/carrier_track/check/reference_integrators/accuracy.h"
-
 #include <gtest/gtest.h>
 
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/integrator.h"
+#include "ricochet/machine.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,13 +1,12 @@
-#include "problems/carrier_track/check/reference_integrators/forces.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/check/wall_forces.h"
+#include "problems/carrier_track/motion/impact_model.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 /// What the methods make of a carrier that just touches a wall, and of rests that hardly end or

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/motion/impact_model.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 /// Every method has to end, with the end of the window or with a reason.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/check/reference_integrators/accuracy.h"
-#include "ricochet/recording.h"
+#include "problems/carrier_track/check/integrator.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

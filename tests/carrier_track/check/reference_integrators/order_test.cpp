@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "problems/carrier_track/check/integrator.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

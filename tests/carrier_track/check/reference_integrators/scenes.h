@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/reference_integrators/integrator.h"
-#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/check/integrator.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

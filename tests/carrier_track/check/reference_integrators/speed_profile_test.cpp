@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/check/reference_integrators/accuracy.h"
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/check/integrator.h"
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "ricochet/recording.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

@@ -1,10 +1,9 @@
-#include "problems/carrier_track/check/reference_integrators/wall_force.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "problems/carrier_track/check/wall_forces.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/scene.h"
 

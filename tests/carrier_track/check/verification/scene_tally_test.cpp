@@ -1,6 +1,6 @@
-#include "problems/carrier_track/check/verification/scene_tally.h"
-
 #include <gtest/gtest.h>
+
+#include "src/studies/verification/verification.h"
 
 namespace ricochet::studies::verification {
 namespace {

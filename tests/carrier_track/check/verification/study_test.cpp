@@ -1,10 +1,9 @@
-#include "problems/carrier_track/check/verification/study.h"
-
 #include <gmock/gmock.h>
 
 #include "ricochet/error.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
+#include "src/studies/verification/verification.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,0 +1,448 @@
+#include "src/analysis/export/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ricochet/evaluator.h"
+#include "src/analysis/export/ioh_and_coco.h"
+#include "src/analysis/export/output.h"
+#include "src/analysis/export/tables.h"
+#include "src/analysis/outcomes.h"
+#include "src/core/csv.h"
+#include "src/core/names.h"
+#include "src/experiment/run_rows.h"
+#include "src/report/json.h"
+
+namespace ricochet::exports {
+
+/// The name of a termination reason, as in the store's table of them.
+constexpr const char* name_of(TerminationReason termination_reason) {
+  switch (termination_reason) {
+    case TerminationReason::none:
+      return "none";
+    case TerminationReason::evaluations:
+      return "evaluations";
+    case TerminationReason::seconds:
+      return "seconds";
+    case TerminationReason::bad_point:
+      return "bad point";
+    case TerminationReason::failure:
+      return "failure";
+    case TerminationReason::paused:
+      return "paused";
+  }
+  return "";
+}
+
+std::vector<Format> all_formats() {
+  return {{"csv", "runs.csv, points.csv, running_times.csv, ratings.csv, ecdf.csv and others",
+           write_csv, write_ratings},
+          {"json", "runs.jsonl, a line for each run, and campaign.json: every figure", write_json},
+          {"latex", "summary.tex, the first entries on a page; table.tex, a longtable of all",
+           write_latex, write_latex_summary},
+          {"markdown", "table.md, what was solved, at what cost", write_markdown},
+          {"iohanalyzer", "for IOHanalyzer, a folder for each algorithm", write_iohanalyzer},
+          {"coco", "for COCO's post-processing, a folder for each algorithm", write_coco}};
+}
+
+namespace {
+
+struct Column {
+  const char* name;
+  std::function<std::string(const comparison::JudgedRun&)> value;
+};
+
+constexpr const char* csv_readme =
+    R"(The stored runs of a campaign of ricochet, as CSV (RFC 4180, lines end with a line feed, UTF-8).
+Numbers are the shortest decimals that read back to the same double, or inf or nan. Missing values
+are empty. In texts, control characters are written as \x0a; texts of more than 4000 bytes lose
+their middle. No text is one that pandas or R take for a missing value: the perturbation nan is called
+missing-value, and others, such as NA, have a ' before them.
+
+runs.csv: one row per run. `number` is the argument of `ricochet replay`; budget_per_variable is the
+plan's, evaluations_allowed the budget of the run. values, derivatives, hessians: what the solver
+requested; charged: the evaluations that this cost, gradients at their price; seconds: processor
+time. feasible, objective, optimality_gap, solved: of the best evaluated point, scored on the true
+objective whatever the formulation; returned_...: of the point that the solver returned.
+optimality_gap: objective minus the best known value; solved: feasible, and optimality_gap <= the
+problem's tolerance. terminations: what the solver said at the end of its starts; failure: what was
+thrown.
+points.csv: one row for the point that a run (its number) returned, and one for its last improvement,
+with the coordinates x1, x2, ...; empty beyond the problem's variables. Archives have no points.
+improvements.csv: one row for every point of a run (its number) with a better true value than all
+points before it: less violation, or equal violation and a lower objective. violation 0: feasible.
+running_times.csv: one row per cell, all runs that differ only in instance and number: success rates and
+expected running times, by the best evaluated and by the returned point. Unsolved runs count with all
+their evaluations, identical runs count once, intervals are 95 %.
+ratings.csv: one row per family and entry, a solver-formulation pair, as in the report, with the family's
+largest budget: success rates, number of problems that no run solved, mean rank and P(best), the
+probability of the least mean rank on problems like these. ecdf.csv: the ECDF of runtimes of each of
+them, the share of pairs of problem and target that were reached within so many evaluations per variable,
+with its interval over problems. targets.csv: these targets, optimality gaps. The three are missing where
+runs are. The report beside the store has its other tables as CSV, too.
+completeness.csv: how many runs were planned, are present and are missing, of all and of each part of the
+plan. A run that failed or reached a limit is present.
+problems.csv: one row per problem, with the factors of its machine. Runs of two stores can be compared
+if the problem's hash is the same.
+
+For Parquet, use DuckDB: COPY 'runs.csv' TO 'runs.parquet'.
+)";
+
+std::string yes_or_no(bool value) {
+  return value ? "1" : "0";
+}
+
+template <class Integer>
+std::string whole(const std::optional<Integer>& value) {
+  return value ? std::to_string(*value) : "";
+}
+
+std::string terminations(const std::vector<SolverTermination>& terminations) {
+  std::string text;
+  for (const RepeatedTermination& exit : repeated(terminations)) {
+    text += fmt::format("{}{} (x{})", text.empty() ? "" : "; ", exit.reason, exit.starts);
+  }
+  return label_of(text);
+}
+
+std::vector<Column> key_and_cost() {
+  using Run = const comparison::JudgedRun&;
+  return {
+      {"number", [](Run r) { return std::to_string(r.stored.number); }},
+      {"problem", [](Run r) { return label_of(r.stored.key.cell.problem); }},
+      {"formulation", [](Run r) { return label_of(r.stored.key.cell.formulation); }},
+      {"perturbation", [](Run r) { return label_of(r.stored.key.cell.perturbation); }},
+      {"solver", [](Run r) { return label_of(r.stored.key.cell.solver); }},
+      {"budget_per_variable", [](Run r) { return std::to_string(r.stored.key.cell.budget); }},
+      {"gradient_price", [](Run r) { return label_of(r.stored.key.cell.gradient_price); }},
+      {"instance", [](Run r) { return std::to_string(r.stored.key.instance); }},
+      {"run", [](Run r) { return std::to_string(r.stored.key.run); }},
+      {"seed", [](Run r) { return std::to_string(r.stored.record.seed); }},
+      {"evaluations_allowed",
+       [](Run r) { return std::to_string(r.stored.record.budget.evaluations); }},
+      {"seconds_allowed", [](Run r) { return number(r.stored.record.budget.seconds); }},
+      {"values", [](Run r) { return std::to_string(r.stored.record.ledger.values); }},
+      {"derivatives", [](Run r) { return std::to_string(r.stored.record.ledger.derivatives); }},
+      {"hessians", [](Run r) { return std::to_string(r.stored.record.ledger.hessians); }},
+      {"charged", [](Run r) { return std::to_string(r.stored.record.ledger.charged); }},
+      {"refused", [](Run r) { return std::to_string(r.stored.record.ledger.refused); }},
+      {"seconds", [](Run r) { return number(r.stored.record.ledger.seconds); }},
+      {"termination_reason",
+       [](Run r) { return std::string(name_of(r.stored.record.termination_reason)); }},
+      {"failure", [](Run r) { return label_of(r.stored.record.failure); }},
+      {"terminations", [](Run r) { return terminations(r.stored.record.terminations); }},
+  };
+}
+
+std::vector<Column> verdict() {
+  using Run = const comparison::JudgedRun&;
+  return {
+      {"feasible", [](Run r) { return yes_or_no(r.outcome.verdict.feasible); }},
+      {"objective", [](Run r) { return number(r.outcome.verdict.objective); }},
+      {"optimality_gap", [](Run r) { return number(r.outcome.verdict.optimality_gap); }},
+      {"solved", [](Run r) { return yes_or_no(r.outcome.verdict.solved); }},
+      {"evaluations_to_solve", [](Run r) { return whole(r.outcome.verdict.evaluations_to_solve); }},
+      {"seconds_to_solve", [](Run r) { return number(r.outcome.verdict.seconds_to_solve); }},
+      {"returned_objective",
+       [](Run r) {
+         const auto& returned = r.stored.record.returned;
+         return returned ? number(returned->true_values.objective) : "";
+       }},
+      {"returned_violation",
+       [](Run r) {
+         const auto& returned = r.stored.record.returned;
+         return returned ? number(returned->true_values.violation) : "";
+       }},
+      {"returned_optimality_gap",
+       [](Run r) { return number(r.outcome.verdict.returned_optimality_gap); }},
+      {"returned_solved", [](Run r) { return yes_or_no(r.outcome.verdict.returned_solved); }},
+  };
+}
+
+std::vector<Column> run_columns() {
+  std::vector<Column> columns = key_and_cost();
+  for (Column& column : verdict()) columns.push_back(std::move(column));
+  return columns;
+}
+
+void write_problems(const CampaignDescription& description, const std::filesystem::path& file) {
+  std::set<std::string> factors;
+  for (const StoredProblem& problem : description.problems) {
+    for (const auto& [name, value] : problem.factors) factors.insert(name);
+  }
+  std::vector<std::string> header = {"problem",   "family",      "machine",
+                                     "variables", "constraints", "equalities",
+                                     "tolerance", "best_known",  "hash"};
+  for (const std::string& factor : factors) header.push_back(one_line(factor));
+  std::string text = csv_row(header);
+  for (const StoredProblem& problem : description.problems) {
+    std::vector<std::string> row = {label_of(problem.name),
+                                    label_of(problem.family),
+                                    label_of(problem.machine),
+                                    std::to_string(problem.variables),
+                                    std::to_string(problem.constraints),
+                                    std::to_string(problem.equalities),
+                                    number(problem.tolerance),
+                                    number(problem.best_known),
+                                    problem.hash};
+    for (const std::string& factor : factors) {
+      const auto value = problem.factors.find(factor);
+      row.push_back(value == problem.factors.end() ? "" : number(value->second));
+    }
+    text += csv_row(row);
+  }
+  write_file(file, text);
+}
+
+void write_completeness(const Completeness& completeness, const std::filesystem::path& file) {
+  std::string text = csv_row({"part", "planned", "present", "missing"});
+  const auto add = [&](const std::string& name, std::int64_t planned, std::int64_t present) {
+    text += csv_row({label_of(name), std::to_string(planned), std::to_string(present),
+                     std::to_string(planned - present)});
+  };
+  add("all", completeness.planned, completeness.present);
+  for (const Completeness::Part& part : completeness.parts) {
+    add(part.name, part.planned, part.present);
+  }
+  write_file(file, text);
+}
+
+/// The points of runs, as rows of as many coordinates as the largest problem has.
+class Points {
+ public:
+  Points(const CampaignDescription& description, const std::filesystem::path& file) : file_(file) {
+    std::vector<std::string> header = {"number", "point"};
+    for (const StoredProblem& problem : description.problems) {
+      most_ = std::max(most_, problem.variables);
+    }
+    for (std::int64_t k = 1; k <= most_; ++k) header.push_back(fmt::format("x{}", k));
+    file_.write(csv_row(header));
+  }
+
+  void add(const StoredRun& run) {
+    if (const auto& returned = run.record.returned) add(run.number, "returned", returned->x);
+    const auto& trace = run.record.trace;
+    if (!trace.empty()) add(run.number, "last improvement", trace.back().x);
+  }
+
+  void close() { file_.close(); }
+
+ private:
+  void add(std::int64_t run, const char* point, const Vector& x) {
+    if (x.size() == 0) return;  // of an archive
+    std::vector<std::string> row = {std::to_string(run), point};
+    for (const double coordinate : x) row.push_back(number(coordinate));
+    row.resize(static_cast<std::size_t>(most_) + 2);
+    file_.write(csv_row(row));
+  }
+
+  OutputFile file_;
+  std::int64_t most_ = 0;  ///< variables
+};
+
+}  // namespace
+
+void write_csv(const Store& store, const Completeness& completeness,
+               const std::filesystem::path& folder) {
+  const std::vector<Column> columns = run_columns();
+  std::vector<std::string> fields;
+  for (const Column& column : columns) fields.emplace_back(column.name);
+  OutputFile runs(folder / "runs.csv");
+  runs.write(csv_row(fields));
+  OutputFile improvements(folder / "improvements.csv");
+  improvements.write(csv_row({"number", "evaluations", "seconds", "objective", "violation"}));
+  Points points(store.description(), folder / "points.csv");
+  Numbering numbering(store.description());
+  RunningTimes times(folder / "running_times.csv");
+  const auto write_run = [&](const comparison::JudgedRun& run) {
+    for (std::size_t k = 0; k < columns.size(); ++k) fields[k] = columns[k].value(run);
+    runs.write(csv_row(fields));
+    points.add(run.stored);
+    for (const Improvement& step : run.stored.record.trace) {
+      improvements.write(
+          csv_row({std::to_string(run.stored.number), std::to_string(step.evaluations),
+                   number(step.seconds), number(step.true_values.objective),
+                   number(step.true_values.violation)}));
+    }
+  };
+  comparison::each_judged(store, write_run,
+                          [&](const comparison::JudgedCell& cell) { times.add(cell, numbering); });
+  runs.close();
+  improvements.close();
+  points.close();
+  times.close();
+  write_problems(store.description(), folder / "problems.csv");
+  write_completeness(completeness, folder / "completeness.csv");
+  write_file(folder / "README.txt", csv_readme + ("\n" + as_sentence(completeness)) + "\n");
+}
+
+std::string csv_row(const std::vector<std::string>& fields) {
+  std::string row;
+  for (const std::string& field : fields) {
+    if (&field != &fields.front()) row += ',';
+    row += csv_field(field);
+  }
+  return row + '\n';
+}
+
+std::string number(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? number(*value) : "";
+}
+
+namespace {
+
+using report::Json;
+
+constexpr const char* json_lines_readme =
+    R"(The stored runs of a campaign of ricochet, as JSON (UTF-8).
+
+campaign.json: the plan, the problems with best known value and tolerance, the solvers, the program and
+the machine; planned, present and missing: numbers of runs, of all and by part of the plan, and of what
+runs are missing. A run that failed or reached a limit is present.
+runs.jsonl: one line, an object, for each run. `number` is the argument of `ricochet replay`; the key says
+which run it is; seconds are of processor time. The verdict is of the best evaluated point, scored on the
+true objective, and of the returned one; optimality gap: objective minus the best known value; solved:
+feasible, and optimality gap <= tolerance. Improvements: points that were truly better than all before;
+[evaluations, seconds, objective, violation] of each, and x of the last. Numbers keep all their digits;
+null: there is none, or it is infinite or NaN, as a time without a limit. The perturbation nan is called
+missing-value, since pandas takes nan for a missing value.
+)";
+
+/// The data as text; invalid UTF-8 in it is no error.
+std::string text_of(const Json& data, int indent = -1) {
+  return data.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json list(const Vector& x) {
+  return Json(std::vector<double>(x.begin(), x.end()));
+}
+
+Json json_of(const StoredProblem& problem) {
+  return {{"name", label(problem.name)},
+          {"family", problem.family},
+          {"machine", problem.machine},
+          {"variables", problem.variables},
+          {"constraints", problem.constraints},
+          {"equalities", problem.equalities},
+          {"tolerance", problem.tolerance},
+          {"best_known", problem.best_known},
+          {"hash", problem.hash},
+          {"factors", problem.factors}};
+}
+
+Json json_of(const CampaignDescription& description) {
+  return {
+      {"plan", description.plan},
+      {"problems",
+       report::list_of(description.problems, [](const StoredProblem& q) { return json_of(q); })},
+      {"solvers",
+       report::list_of(
+           description.solvers,
+           [](const StoredSolver& s) {
+             return Json{{"name", label(s.name)}, {"version", s.version}, {"content", s.content}};
+           })},
+      {"program", description.program},
+      {"made", description.made}};
+}
+
+Json json_of(const RunKey& key) {
+  return {{"problem", label(key.cell.problem)},
+          {"formulation", label(key.cell.formulation)},
+          {"perturbation", label(key.cell.perturbation)},
+          {"solver", label(key.cell.solver)},
+          {"budget_per_variable", key.cell.budget},
+          {"gradient_price", key.cell.gradient_price},
+          {"instance", key.instance},
+          {"run", key.run}};
+}
+
+Json json_of(const Ledger& ledger) {
+  return {{"values", ledger.values},     {"derivatives", ledger.derivatives},
+          {"hessians", ledger.hessians}, {"charged", ledger.charged},
+          {"refused", ledger.refused},   {"seconds", ledger.seconds}};
+}
+
+Json json_of(const Verdict& verdict) {
+  return {{"feasible", verdict.feasible},
+          {"objective", verdict.objective},
+          {"optimality_gap", verdict.optimality_gap},
+          {"solved", verdict.solved},
+          {"evaluations_to_solve", verdict.evaluations_to_solve},
+          {"seconds_to_solve", verdict.seconds_to_solve},
+          {"returned_optimality_gap", verdict.returned_optimality_gap},
+          {"returned_solved", verdict.returned_solved}};
+}
+
+Json json_of(const comparison::JudgedRun& run) {
+  const RunRecord& record = run.stored.record;
+  Json data = {{"number", run.stored.number},
+               {"key", json_of(run.stored.key)},
+               {"seed", record.seed},
+               {"evaluations_allowed", record.budget.evaluations},
+               {"seconds_allowed", record.budget.seconds},
+               {"ledger", json_of(record.ledger)},
+               {"termination_reason", name_of(record.termination_reason)},
+               {"failure", record.failure},
+               {"terminations",
+                report::list_of(repeated(record.terminations),
+                                [](const RepeatedTermination& exit) {
+                                  return Json{{"reason", exit.reason}, {"starts", exit.starts}};
+                                })},
+               {"verdict", json_of(run.outcome.verdict)}};
+  data["returned"] = nullptr;
+  if (const auto& returned = record.returned) {
+    data["returned"] = {{"objective", returned->true_values.objective},
+                        {"violation", returned->true_values.violation},
+                        {"x", list(returned->x)}};
+  }
+  data["improvements"] = report::list_of(record.trace, [](const Improvement& step) {
+    return Json::array(
+        {step.evaluations, step.seconds, step.true_values.objective, step.true_values.violation});
+  });
+  data["last_improvement_x"] = record.trace.empty() ? Json() : list(record.trace.back().x);
+  return data;
+}
+
+}  // namespace
+
+Json json_of(const Completeness& completeness) {
+  return {{"planned", completeness.planned},
+          {"present", completeness.present},
+          {"missing", completeness.missing()},
+          {"parts", report::list_of(completeness.parts,
+                                    [](const Completeness::Part& part) {
+                                      return Json{{"part", part.name},
+                                                  {"planned", part.planned},
+                                                  {"present", part.present},
+                                                  {"missing", part.planned - part.present}};
+                                    })},
+          {"missing_shards", completeness.missing_shards},
+          {"missing_problems", completeness.missing_problems},
+          {"missing_solvers", completeness.missing_solvers},
+          {"missing_instances", completeness.missing_instances},
+          {"unknown_solvers", completeness.unknown_solvers}};
+}
+
+void write_json(const Store& store, const Completeness& completeness,
+                const std::filesystem::path& folder) {
+  Json campaign = json_of(store.description());
+  campaign.update(json_of(completeness));
+  write_file(folder / "campaign.json", text_of(campaign, 1));
+  OutputFile runs(folder / "runs.jsonl");
+  comparison::each_judged(
+      store, [&](const comparison::JudgedRun& run) { runs.write(text_of(json_of(run))); },
+      [](const comparison::JudgedCell&) {});
+  runs.close();
+  write_file(folder / "README.txt", json_lines_readme + ("\n" + as_sentence(completeness)) + "\n");
+}
+
+}  // namespace ricochet::exports

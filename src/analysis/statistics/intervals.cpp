@@ -1,0 +1,95 @@
+#include "src/analysis/statistics/intervals.h"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "ricochet/random.h"
+
+namespace ricochet {
+
+Interval wilson_interval(double successes, double trials, double confidence) {
+  check_confidence(confidence);
+  if (!(trials > 0 && successes >= 0 && successes <= trials)) {
+    throw std::invalid_argument("wilson_interval: 0 <= successes <= trials and a trial are needed");
+  }
+  const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
+  const double failures = trials - successes;
+  const double centre = successes + z * z / 2;
+  const double half = z * std::sqrt(successes * failures / trials + z * z / 4);
+  // For no success or no failure one end is exactly 0 or 1, despite rounding.
+  return {successes == 0 ? 0 : std::max(0.0, (centre - half) / (trials + z * z)),
+          failures == 0 ? 1 : std::min(1.0, (centre + half) / (trials + z * z))};
+}
+
+std::optional<Interval> order_statistic_interval(std::vector<double> sample, double q,
+                                                 double confidence) {
+  check_confidence(confidence);
+  if (!(q > 0 && q < 1)) {
+    throw std::invalid_argument("order_statistic_interval: the quantile must be in (0, 1)");
+  }
+  if (std::any_of(sample.begin(), sample.end(), [](double x) { return std::isnan(x); })) {
+    throw std::invalid_argument("order_statistic_interval: a value is not a number");
+  }
+  if (sample.empty()) return std::nullopt;
+  std::sort(sample.begin(), sample.end());
+  const double tail = (1 - confidence) / 2 * (1 + 1e-12);  // a tolerance for rounding
+  const boost::math::binomial below(static_cast<double>(sample.size()), q);
+  // With probability `tail` at most, the number of values below the quantile is less than `lower`;
+  // the same holds for `upper` or more. Both count from 1.
+  std::size_t lower = 0;
+  while (lower < sample.size() && cdf(below, static_cast<double>(lower)) <= tail) ++lower;
+  std::size_t upper = sample.size() + 1;
+  while (upper > 1 && cdf(complement(below, static_cast<double>(upper) - 2)) <= tail) --upper;
+  if (lower == 0 || upper > sample.size()) return std::nullopt;
+  return Interval{sample[lower - 1], sample[upper - 1]};
+}
+
+MeanShare mean_share(const std::vector<double>& shares, double confidence) {
+  constexpr double imagined = 0.1;
+  if (shares.empty()) throw std::invalid_argument("mean_share: no values");
+  const auto size = static_cast<double>(shares.size());
+  double sum = 0;
+  for (const double share : shares) {
+    if (!(share >= 0 && share <= 1))
+      throw std::invalid_argument("mean_share: a value not in [0, 1]");
+    sum += share;
+  }
+  const double mean = std::min(1.0, sum / size);
+  double squares = imagined * (mean * mean + (1 - mean) * (1 - mean));
+  for (const double share : shares) squares += (share - mean) * (share - mean);
+  const double variance = squares / (size - 1 + imagined);
+  // Values in [0, 1] vary most if all of them are 0 or 1.
+  const double trials = std::max(size, size * mean * (1 - mean) / variance);
+  return {mean, wilson_interval(mean * trials, trials, confidence)};
+}
+
+double quantile(std::vector<double> sample, double q) {
+  const double place = q * static_cast<double>(sample.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(below);
+  const auto at_low = sample.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(sample.begin(), at_low, sample.end());
+  const double low = *at_low;
+  if (share == 0.0) return low;
+  const double high = *std::min_element(at_low + 1, sample.end());
+  return std::isinf(high) ? high : low + share * (high - low);
+}
+
+Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
+                         std::uint64_t seed) {
+  Random random(seed);
+  const auto size = static_cast<double>(sample.size());
+  std::vector<double> medians;
+  std::vector<double> drawn(sample.size());
+  for (int i = 0; i < resamples; ++i) {
+    for (double& x : drawn) x = sample[static_cast<std::size_t>(size * uniform(random))];
+    medians.push_back(quantile(drawn, 0.5));
+  }
+  return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
+}
+
+}  // namespace ricochet

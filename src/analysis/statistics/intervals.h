@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace ricochet {
+
+/// A closed interval; the upper end may be infinite.
+struct Interval {
+  double lower, upper;
+};
+
+/// Throws std::invalid_argument unless the confidence is in (0, 1).
+inline void check_confidence(double confidence) {
+  if (!(confidence > 0 && confidence < 1)) {
+    throw std::invalid_argument("the confidence must be in (0, 1)");
+  }
+}
+
+/// Wilson's score interval of a probability after `successes` of `trials` >= 1 (Wilson 1927,
+/// doi:10.1080/01621459.1927.10502953): all p for which the share lies within z sqrt(p (1 - p) / n)
+/// of p. Never empty, never outside [0, 1]. Its coverage is right on average over p, but lower for
+/// some p near 0 and 1 (Brown, Cai and DasGupta 2001, doi:10.1214/ss/1009213286). Both counts may
+/// be fractions, e.g. effective sample sizes. Throws std::invalid_argument for invalid counts.
+Interval wilson_interval(double successes, double trials, double confidence = 0.95);
+
+/// Interval of the quantile q in (0, 1) between two values of the sample, with a coverage of at
+/// least `confidence` for any distribution. The ranks follow from the binomial distribution of the
+/// number of values below the quantile, each tail at most (1 - confidence) / 2 (David and Nagaraja
+/// 2003, Order Statistics, section 7.1, doi:10.1002/0471722162). The median of 15 values is between
+/// the 4th and the 12th: 96.5 %. Infinite values, never reached, are the largest, so the upper end
+/// may be infinite. Nothing if the sample is too small: a median needs 6 values for 95 %. Throws
+/// std::invalid_argument for a value that is no number.
+std::optional<Interval> order_statistic_interval(std::vector<double> sample, double q = 0.5,
+                                                 double confidence = 0.95);
+
+struct MeanShare {
+  double mean;
+  Interval interval;
+};
+
+/// Mean of independent values in [0, 1], one for each problem, with its interval: Wilson's, for the
+/// number of trials that would have the same variance (Korn and Graubard 1998, Survey Methodology
+/// 24, 193, do this with the exact interval). A pseudo-observation of a tenth of a problem is added
+/// at either end; without it a few problems that happen to agree would look certain. In simulations
+/// with many kinds of problems, a nominal 95 % gave a coverage of 97 % with 12 problems and 96 %
+/// with 20 or 50, and never less than 92 %; a percentile bootstrap over the problems gave 80 % with
+/// 10 and 87 % with 20. Throws std::invalid_argument for no values or one outside [0, 1].
+MeanShare mean_share(const std::vector<double>& shares, double confidence = 0.95);
+
+/// Quantile q in [0, 1] of the sample, linear between neighbours (Hyndman and Fan 1996, type 7).
+/// Infinite values are allowed and sorted last. The sample must not be empty.
+double quantile(std::vector<double> sample, double q);
+
+/// Percentile bootstrap interval of the median at `confidence` in (0, 1), from `resamples` samples
+/// drawn with replacement (Efron 1979, doi:10.1214/aos/1176344552). For bands along a curve. With
+/// 15 values the coverage is 91 % instead of 95 %; order_statistic_interval() never covers less
+/// than its confidence. Deterministic in `seed`. The sample must not be empty.
+Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
+                         std::uint64_t seed);
+
+}  // namespace ricochet

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "ricochet/error.h"
+#include "src/analysis/comparison/reported_part.h"
+#include "src/analysis/comparison/study.h"
+#include "src/app/agreement.h"
+#include "src/app/archive.h"
+#include "src/app/campaign.h"
+#include "src/app/command_line.h"
+#include "src/app/scene_choice.h"
+#include "src/app/shared_options.h"
+#include "src/studies/suite/catalogue.h"
+
+namespace ricochet::cli {
+namespace {
+
+struct CompareOptions {
+  studies::ComparisonOptions compared;
+  SceneChoice machine;              ///< whose problems are compared; empty: the suite's
+  std::string against;              ///< an archive; empty: none
+  std::vector<std::string> stores;  ///< two, or none
+  bool json = false;                ///< of the stores
+};
+
+/// Carries a comparison out, or goes on with it, and writes its report.
+int carry_out(const Plan& plan, const Catalogue& catalogue, bool quick, const std::string& out,
+              std::chrono::steady_clock::time_point start) {
+  RunOptions here;
+  here.out = out;
+  here.resume = true;
+  const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
+  tell(studies::run(studies::comparison_study(campaign, store), quick, out, start));
+  return 0;
+}
+
+int compare_problems(const CompareOptions& options, const StudyOptions& study) {
+  studies::ComparisonOptions compared = options.compared;
+  const SceneChoice& machine = options.machine;
+  if (!machine.scene_file.empty()) {
+    compared.scene = carrier_track::write_scene(choose_scene(machine).scene);
+  } else if (!machine.settings.empty()) {
+    throw InputError("--set " + machine.settings.front() +
+                     ": changes a machine file: give --scene FILE");
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Catalogue catalogue = studies::whole_catalogue();
+  const Plan plan = studies::comparison_plan(compared, study.quick, catalogue);
+  return carry_out(plan, catalogue, study.quick, study.out, start);
+}
+
+/// Compares the user's solvers with those whose runs an archive has.
+int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
+                    const std::string& out) {
+  const auto start = std::chrono::steady_clock::now();
+  if (own_solvers.empty()) throw InputError("--against: needs --solver, your own solver");
+  const Catalogue catalogue = studies::whole_catalogue();
+  const Plan plan = plan_against_archive(archive_named(archive), own_solvers, catalogue, out);
+  return carry_out(plan, catalogue, false, out, start);
+}
+
+int compare(const CompareOptions& options, const StudyOptions& study) {
+  const std::vector<std::string>& stores = options.stores;
+  if (!stores.empty()) return compare_stores(stores[0], stores[1], options.json);
+  if (!options.against.empty()) {
+    return compare_against(options.against, options.compared.added_solvers, study.out);
+  }
+  return compare_problems(options, study);
+}
+
+}  // namespace
+
+void add_compare(CommandLine& line) {
+  CLI::App* command = line.add(
+      "compare", "Compare solvers: success rates, costs and ranks, as a report",
+      "  ricochet compare --quick\n"
+      "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+      "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
+      "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'\n"
+      "  ricochet compare --solver ./mine.so --against archive\n"
+      "  ricochet compare --stores archive mine/runs.sqlite");
+  const auto options = std::make_shared<CompareOptions>();
+  const auto study =
+      add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
+  add_scene_file(command, options->machine.scene_file, options->machine.settings);
+  CLI::Option* against =
+      command
+          ->add_option("--against", options->against,
+                       "Run only the solvers of --solver, on the problems and beside the runs of "
+                       "this archive; archive: that of the reference, which is included")
+          ->type_name("ARCHIVE");
+  CLI::Option* stores =
+      command
+          ->add_option(
+              "--stores", options->stores,
+              "Print how far two stores, or archives, order their entries alike, and which "
+              "entries changed")
+          ->type_name("FILE")
+          ->expected(2);
+  add_format(command, options->json);
+  command->get_option("--format")->needs(stores);
+  command
+      ->add_option("--problems", options->compared.problems,
+                   "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
+      ->type_name("PROBLEMS");
+  command->add_option("--solvers", options->compared.solvers, "Patterns, separated by commas")
+      ->type_name("SOLVERS")
+      ->capture_default_str();
+  command
+      ->add_option("--solver", options->compared.added_solvers,
+                   "A further solver: a shared library or a program; may be repeated")
+      ->type_name("SOLVER")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--formulations", options->compared.formulations,
+                   "Patterns, such as *count or penalised*")
+      ->capture_default_str();
+  command
+      ->add_option("--smoothings", options->compared.smoothings,
+                   "Further smoothing parameters of the surrogate")
+      ->delimiter(',');
+  command->add_option("--budget", options->compared.budgets, "Evaluations for each variable")
+      ->delimiter(',');
+  command->add_option("--instances", options->compared.instances, "Instances of every problem")
+      ->capture_default_str();
+  add_limits(command, options->compared.limits);
+  for (const char* option : {"--scene", "--set", "--problems", "--solvers", "--formulations",
+                             "--smoothings", "--budget", "--instances", "--quick", "--stores"}) {
+    against->excludes(command->get_option(option));
+  }
+  line.on_call(command, [options, study] { return compare(*options, *study); });
+}
+
+}  // namespace ricochet::cli

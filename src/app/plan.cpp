@@ -1,0 +1,254 @@
+#include "src/app/plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "embedded/default_plan.h"
+#include "embedded/full_plan.h"
+#include "embedded/plan_template.h"
+#include "embedded/quick_plan.h"
+#include "embedded/reference_plan.h"
+#include "embedded/slurm_template.h"
+#include "embedded/studies_plan.h"
+#include "ricochet/error.h"
+#include "solvers/adjustable_solver.h"
+#include "solvers/outside/outside.h"
+#include "src/app/campaign.h"
+#include "src/app/command_line.h"
+#include "src/app/shared_options.h"
+#include "src/core/names.h"
+#include "src/core/progress.h"
+#include "src/experiment/planned_runs.h"
+#include "src/report/text.h"
+#include "src/studies/suite/catalogue.h"
+
+namespace ricochet::cli {
+
+namespace {
+
+using report::Json;
+
+/// Of the parts check and slurm.
+struct PlanOptions {
+  std::string plan;
+  bool json = false;
+  int jobs = 8;
+};
+
+/// Quotes any word for a shell.
+std::string in_shell_quotes(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+Json json_of(const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? Json(*number) : Json(one_line(std::get<std::string>(value)));
+}
+
+std::string value_in_words(const Json& value) {
+  return value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
+}
+
+/// Describes a solver with options and the options that can still be set; if it has many, only
+/// those that are set.
+Json varied_solver(const VariedSolver& varied) {
+  constexpr std::size_t few = 20;
+  const std::vector<SolverOption> known = ricochet::options_of(varied.of);
+  Json options = Json::array();
+  for (const SolverOption& option : known) {
+    const auto given = varied.options.find(option.name);
+    const bool is_given = given != varied.options.end();
+    if (!is_given && known.size() > few) continue;
+    options.push_back({{"name", option.name},
+                       {"value", is_given ? json_of(given->second) : Json()},
+                       {"usual", option.usual},
+                       {"range", option.range()}});
+  }
+  return {{"name", varied.name},
+          {"of", varied.of},
+          {"options", std::move(options)},
+          {"known_options", known.size()}};
+}
+
+std::string described(const Json& varied) {
+  std::string words = fmt::format("{}: {} with", varied["name"].get<std::string>(),
+                                  varied["of"].get<std::string>());
+  for (const Json& option : varied["options"]) {
+    const std::string usual = option["usual"].get<std::string>();
+    const bool given = !option["value"].is_null();
+    words += fmt::format("\n  {} = {}{}; {}", option["name"].get<std::string>(),
+                         given ? value_in_words(option["value"]) : usual,
+                         given ? fmt::format(", not {}", usual) : ", as usual",
+                         option["range"].get<std::string>());
+  }
+  const auto left = varied["known_options"].get<std::size_t>() - varied["options"].size();
+  return left > 0 ? words + fmt::format("\n  {} more options, as usual", left) : words;
+}
+
+int new_plan() {
+  fmt::print("{}", embedded::plan_template);
+  return 0;
+}
+
+int check_plan(const PlanOptions& options) {
+  const Campaign campaign(plan_named(options.plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
+  Json size = size_of(campaign);
+  const Forecast forecast = forecast_of(campaign);
+  size["seconds"] = forecast.search + forecast.runs + forecast.report;
+  size["elapsed_seconds"] = forecast.seconds(cores());
+  size["at_least"] = forecast.at_least;
+  size["cores"] = cores();
+  Json with_options = Json::array();
+  for (const VariedSolver& v : campaign.plan().solvers) {
+    with_options.push_back(varied_solver(v));
+  }
+  size["varied_solvers"] = with_options;
+  size["programs"] = programs;
+  if (options.json) {
+    fmt::print("{}\n", size.dump(2));
+  } else {
+    fmt::print("{}; {}\n", in_words(size), in_words(forecast, cores()));
+    for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
+    for (const std::string& program : programs) {
+      fmt::print("run would start: {}\n", one_line(program));
+    }
+    if (!programs.empty()) {
+      fmt::print(
+          "Programs are not started here: the numbers count all that they might be given.\n");
+    }
+  }
+  return 0;
+}
+
+int slurm_script(const PlanOptions& options) {
+  const std::string& plan = options.plan;
+  const int jobs = options.jobs;
+  if (jobs < 1 || jobs > 10'000) {
+    throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
+  }
+  if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
+  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
+  Forecast forecast = forecast_of(campaign);
+  forecast.runs /= jobs;
+  forecast.report = 0;
+  const double hours = forecast.seconds(1) / 3600;
+  Json shown_programs = Json::array();
+  for (const std::string& program : programs) shown_programs.push_back(one_line(program));
+  const Json data = {
+      {"plan", in_shell_quotes(plan)}, {"jobs", jobs},
+      {"programs", shown_programs},    {"allow", programs.empty() ? "" : " --allow-programs"},
+      {"at_least", forecast.at_least}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
+  fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
+  return 0;
+}
+
+}  // namespace
+
+namespace {
+
+/// The plan of this name or file. It may include others, if `included` says how to read those.
+Plan read_named_plan(const std::string& name, const PlanByName& included) {
+  const std::vector<std::pair<std::string, const char*>> included = {
+      {"quick", embedded::quick_plan},
+      {"default", embedded::default_plan},
+      {"reference", embedded::reference_plan},
+      {"studies", embedded::studies_plan},
+      {"full", embedded::full_plan}};
+  std::vector<std::string> names;
+  for (const auto& [known, text] : included) {
+    if (name == known) return plan_from(text, name, included);
+    names.push_back(known);
+  }
+  const std::vector<std::string> meant = near_names(name, names);
+  if (!meant.empty() && !std::filesystem::exists(name)) {
+    throw InputError(
+        fmt::format("{}: there is no such file; did you mean {}?", name, meant.front()));
+  }
+  return read_plan(name, included);
+}
+
+}  // namespace
+
+Plan plan_named(const std::string& name) {
+  return read_named_plan(name, [](const std::string& other) { return read_named_plan(other, {}); });
+}
+
+void add_plan_file(CLI::App* command, std::string& plan) {
+  command
+      ->add_option(
+          "plan", plan,
+          "A plan file (TOML), - for standard input; or quick, default, studies, reference, full")
+      ->type_name("PLAN:{quick,default,studies,reference,full}")
+      ->required();
+}
+
+void add_plan(CommandLine& line) {
+  CLI::App* command =
+      line.add("plan", "Prepare a campaign: new, check FILE, sample ARCHIVE, slurm FILE",
+               "  ricochet plan new > plan.toml\n"
+               "  ricochet plan check plan.toml\n"
+               "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
+  command->require_subcommand(1);
+  CLI::App* fresh = line.add_part(command, "new", "Print a plan to start from");
+  line.on_call(fresh, new_plan);
+  CLI::App* check =
+      line.add_part(command, "check", "Print what the plan would run, and for how long");
+  const auto options = std::make_shared<PlanOptions>();
+  add_plan_file(check, options->plan);
+  add_format(check, options->json);
+  line.on_call(check, [options] { return check_plan(*options); });
+  add_sample(line, command);
+  CLI::App* slurm = line.add_part(command, "slurm", "Print a job script for Slurm");
+  add_plan_file(slurm, options->plan);
+  slurm->add_option("--jobs", options->jobs, "Number of jobs, of one core each")
+      ->capture_default_str();
+  line.on_call(slurm, [options] { return slurm_script(*options); });
+}
+
+std::vector<std::string> programs_of(const Plan& plan) {
+  std::vector<std::string> programs;
+  for (const PlanPart& part : plan.parts) {
+    for (const std::string& text : part.solvers) {
+      const bool known = std::find(programs.begin(), programs.end(), text) != programs.end();
+      if (!known && outside::is_outside(text)) programs.push_back(text);
+    }
+  }
+  return programs;
+}
+
+Catalogue catalogue_that_starts_nothing() {
+  Catalogue catalogue = studies::whole_catalogue();
+  catalogue.own_solver = outside::unstarted_solver;
+  return catalogue;
+}
+
+void announce_programs(const std::vector<std::string>& programs, bool allowed,
+                       const std::string& origin) {
+  if (programs.empty()) return;
+  if (!allowed) {
+    throw InputError(
+        fmt::format("{}: names programs, which run with your rights: {}; add --allow-programs if "
+                    "you trust them",
+                    origin, fmt::join(programs, "; ")));
+  }
+  for (const std::string& program : programs) Progress::announce("starts " + program);
+}
+
+}  // namespace ricochet::cli

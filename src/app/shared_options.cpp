@@ -1,0 +1,52 @@
+#include "src/app/shared_options.h"
+
+namespace ricochet::cli {
+
+std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study) {
+  auto options = std::make_shared<StudyOptions>(StudyOptions{false, "reports/" + study.name});
+  if (!study.quick.empty()) command->add_flag("--quick", options->quick, study.quick);
+  command->add_option("--out", options->out, "Folder for the report")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  return options;
+}
+
+void add_format(CLI::App* command, bool& json) {
+  command->add_option("--format", "What to print: text or json")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->default_str("text")
+      ->each([&json](const std::string& format) { json = format == "json"; });
+}
+
+void add_settings(CLI::App* command, std::vector<std::string>& settings) {
+  command
+      ->add_option("--set", settings,
+                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
+                   "repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_scene_file(CLI::App* command, std::string& file, std::vector<std::string>& settings) {
+  command
+      ->add_option("--scene", file,
+                   "A machine file (TOML): problems of this machine, whose names end in -scene")
+      ->type_name("FILE");
+  add_settings(command, settings);
+}
+
+void add_limits(CLI::App* command, Limits& limits) {
+  command
+      ->add_option("--run-seconds", limits.seconds, "Longest time of a run [s]; then it is killed")
+      ->capture_default_str();
+  command->add_option("--run-megabytes", limits.megabytes, "Most memory of a run [MB]")
+      ->capture_default_str();
+}
+
+void add_allowance(CLI::App* command, bool& allowed) {
+  command->add_flag("--allow-programs", allowed,
+                    "Start the programs and shared libraries that the file names as solvers");
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,290 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/regimes/basins.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/error.h"
+#include "ricochet/machine.h"
+#include "src/app/command_line.h"
+#include "src/app/limited.h"
+#include "src/app/report.h"
+#include "src/app/scene_choice.h"
+#include "src/app/shared_options.h"
+#include "src/core/files.h"
+#include "src/report/drawing.h"
+#include "src/report/json.h"
+#include "src/studies/machine/charts.h"
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+
+struct SimulateOptions {
+  SceneChoice scene;
+  std::optional<double> omega;  ///< [rad/s], replaces the scene's
+  std::string fidelity;         ///< replaces the scene's; empty: the scene's
+  double smoothing = 0.25;      ///< smoothing parameter of the surrogate that is printed
+  bool json = false;
+  double seconds = 60;  ///< time limit
+  std::string csv;      ///< file for the path; empty: none
+  std::string plot;     ///< SVG file for the path; empty: none
+};
+
+const char* name_of(Wall wall) {
+  return wall == Wall::lower ? "lower" : "upper";
+}
+
+Fidelity fidelity_named(const std::string& wanted) {
+  for (const auto& [name, level] : fidelity_names()) {
+    if (name == wanted) return level;
+  }
+  throw InputError(fmt::format("--fidelity {}: there is no such level", wanted));
+}
+
+std::string speed_of(const Scene& scene) {
+  if (scene.profile.empty()) return fmt::format("{} rad/s", scene.omega);
+  return fmt::format("a speed profile of {} knots", scene.profile.size());
+}
+
+Json json_of(const std::optional<Graze>& graze) {
+  if (!graze) return {};
+  return {{"time", graze->time}, {"wall", name_of(graze->wall)}, {"distance", graze->distance}};
+}
+
+Json json_of(const Impact& i) {
+  return {{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}};
+}
+
+Json json_of(const Peak& p) {
+  return {{"time", p.time}, {"position", p.position}};
+}
+
+/// Everything but the impacts and the maxima, whose lists are left empty.
+Json frame_of(const Recording& recording) {
+  return {{"count", recording.count},
+          {"surrogate", recording.surrogate},
+          {"certain", recording.certainty.certain},
+          {"complete", recording.certainty.doubt != Doubt::unfinished},
+          {"reached", recording.complete ? Json() : Json(recording.end.time)},
+          {"margin", recording.certainty.margin},
+          {"graze", json_of(recording.certainty.graze)},
+          {"growth", recording.certainty.growth},
+          {"doubt", recording.certainty.certain ? Json() : Json(recording.certainty.reason)},
+          {"impacts", Json::array()},
+          {"peaks", Json::array()},
+          {"end",
+           {{"time", recording.end.time},
+            {"position", recording.end.position},
+            {"velocity", recording.end.velocity}}},
+          {"evaluations", recording.end.evaluations},
+          {"fidelity", name_of(fidelity_names(), recording.fidelity)}};
+}
+
+/// Prints the elements of a list one by one: millions of them would not fit into memory as one
+/// tree.
+template <class Element>
+void print_elements(const std::vector<Element>& list) {
+  const char* separator = "\n    ";
+  for (const Element& element : list) {
+    std::string text = json_of(element).dump(2);
+    for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+      text.insert(at + 1, "    ");
+    }
+    fmt::print("{}{}", std::exchange(separator, ",\n    "), text);
+  }
+  if (!list.empty()) fmt::print("\n  ");
+}
+
+void print_json(const Recording& recording) {
+  const std::string frame = frame_of(recording).dump(2);
+  const auto impacts = frame.find("\"impacts\": [") + 12;
+  const auto peaks = frame.find("\"peaks\": [") + 10;
+  fmt::print("{}", frame.substr(0, impacts));
+  print_elements(recording.impacts);
+  fmt::print("{}", frame.substr(impacts, peaks - impacts));
+  print_elements(recording.peaks);
+  fmt::print("{}\n", frame.substr(peaks));
+}
+
+std::string csv_of(const Recording& recording) {
+  std::string text = "time_s,position_m,velocity_m_per_s\n";
+  for (const Sample& s : recording.path) {
+    text += fmt::format("{},{},{}\n", s.time, s.position, s.velocity);
+  }
+  return text;
+}
+
+report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
+  std::vector<report::Chart> charts = {
+      studies::path_chart(chosen.scene, recording, "path",
+                          fmt::format("{} at {}: {} collisions", chosen.name,
+                                      speed_of(chosen.scene), recording.count))};
+  if (const auto zoom = studies::path_zoom(chosen.scene, recording)) {
+    charts.push_back(studies::zoom_chart(chosen.scene, recording, *zoom, "zoom"));
+  }
+  for (report::Chart& chart : charts) {
+    chart.width = 960;
+    chart.height = 360;
+  }
+  return report::plot_of(charts);
+}
+
+/// Prints a line for each element, those that count first, up to a limit.
+template <class Element, class Print>
+void print_features(const std::vector<Element>& all, const std::vector<Feature>& features,
+                    const Print& print) {
+  constexpr std::size_t shown = 40;
+  std::size_t printed = 0;
+  for (const bool counts : {true, false}) {
+    for (std::size_t i = 0; i < all.size() && printed < shown; ++i) {
+      if (features[i].counts != counts) continue;
+      print(all[i], counts ? "  counts" : "");
+      ++printed;
+    }
+  }
+  if (all.size() <= shown) return;
+  fmt::print("... and {} more; --format json lists all\n", all.size() - shown);
+}
+
+/// Prints the impacts or the maxima, whichever the rule uses.
+void print_features(const Scene& scene, const Recording& recording) {
+  const std::vector<Feature> features = features_of(scene, recording);
+  if (scene.rule == CountRule::impacts) {
+    fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
+    print_features(recording.impacts, features, [](const Impact& impact, const char* mark) {
+      fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
+                 mark);
+    });
+  } else {
+    fmt::print("{:>14} {:>13}\n", "time [s]", "maximum [m]");
+    print_features(recording.peaks, features, [](const Peak& peak, const char* mark) {
+      fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark);
+    });
+  }
+}
+
+/// What the start causes; nothing if that is not known, or there is no time for it.
+std::optional<Anatomy> anatomy_in_time(const Scene& scene, const Recording& recording) {
+  try {
+    if (recording.complete) return carrier_track::anatomy_of(scene, recording.impacts);
+  } catch (const TimeLimitReached&) {
+  }
+  return std::nullopt;
+}
+
+void print(const ChosenScene& chosen, const Recording& recording,
+           const std::optional<Anatomy>& anatomy) {
+  const Certainty& certainty = recording.certainty;
+  fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
+             speed_of(chosen.scene), recording.count, recording.end.time,
+             certainty.certain ? "certain" : "not certain", recording.surrogate);
+  if (chosen.scene.fidelity == Fidelity::automatic) {
+    fmt::print("level of the model that it needs: {}\n",
+               name_of(fidelity_names(), recording.fidelity));
+  }
+  if (!certainty.certain) fmt::print("not certain: {}\n", certainty.reason);
+  if (certainty.margin) {
+    fmt::print("nearest margin to zero: {:.3g}; a small change grows {:.2g}-fold\n",
+               *certainty.margin, certainty.growth);
+  }
+  if (certainty.graze) {
+    fmt::print("nearest missed wall: the {}, by {:.3g} m at {:.6g} s\n",
+               name_of(certainty.graze->wall), certainty.graze->distance, certainty.graze->time);
+  }
+  if (anatomy) {
+    fmt::print(
+        "{} of the collisions are the start's and do not come again; {} are of the long run, "
+        "which has {:.4g} a turn\n",
+        anatomy->of_start, anatomy->of_long_run, anatomy->per_turn);
+  }
+  fmt::print("{} impacts, slow ones included; {} maxima of x; those that count come first\n",
+             recording.impacts.size(), recording.peaks.size());
+  print_features(chosen.scene, recording);
+}
+
+/// Throws InputError if a file would overwrite the scene, or the other file.
+void refuse_same_files(const SimulateOptions& options) {
+  refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
+  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
+}
+
+int simulate(const SimulateOptions& options) {
+  ChosenScene chosen = choose_scene(options.scene);
+  if (options.omega) {
+    chosen.scene = at_speed(chosen.scene, *options.omega);
+    check_omega(chosen.scene, chosen.name, "--omega");
+  }
+  if (!options.fidelity.empty()) {
+    chosen.scene.fidelity = fidelity_named(options.fidelity);
+    check(chosen.scene, chosen.name);
+  }
+  if (!(options.smoothing > 0 && std::isfinite(options.smoothing))) {
+    throw InputError(fmt::format("--smoothing {}: must be a finite number > 0", options.smoothing));
+  }
+  refuse_same_files(options);
+  const bool path = !options.csv.empty() || !options.plot.empty();
+  Recording recording;
+  std::optional<Anatomy> anatomy;
+  limited(options.seconds, [&] {
+    recording = carrier_track::simulate(chosen.scene, options.smoothing, path ? 2000 : 0);
+    if (!options.json) anatomy = anatomy_in_time(chosen.scene, recording);
+  });
+  std::deque<TextDraft> drafts;
+  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
+  report::Plot plot;
+  if (!options.plot.empty()) plot = plot_of(chosen, recording);
+  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
+  for (TextDraft& draft : drafts) draft.commit();
+  if (options.json) {
+    print_json(recording);
+  } else {
+    print(chosen, recording, anatomy);
+  }
+  report::require_none(plot.failures);
+  if (recording.certainty.doubt != Doubt::unfinished) return 0;
+  return report_incomplete(
+      options.seconds, recording.complete ? "it is not known whether the count is certain"
+                                          : fmt::format("everything is that of the first {:.6g} s",
+                                                        recording.end.time));
+}
+
+}  // namespace
+
+void add_simulate(CommandLine& line) {
+  CLI::App* command =
+      line.add("simulate", "Simulate one machine: impacts, peaks, count, certainty",
+               "  ricochet simulate --case C1 --omega 5\n"
+               "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv\n"
+               "  ricochet simulate --scene machine.toml --set friction=0.3 --set 'omega=60 rpm'");
+  const auto options = std::make_shared<SimulateOptions>();
+  add_scene_choice(command, options->scene);
+  add_format(command, options->json);
+  add_seconds(command, options->seconds);
+  command->add_option("--omega", options->omega, "Speed [rad/s] in place of the scene's");
+  std::set<std::string> levels;
+  for (const auto& [name, level] : fidelity_names()) levels.emplace(name);
+  command
+      ->add_option("--fidelity", options->fidelity, "Level of the model, in place of the scene's")
+      ->check(CLI::IsMember(levels));
+  command->add_option("--smoothing", options->smoothing, "Smoothing parameter of the surrogate")
+      ->capture_default_str();
+  command->add_option("--csv", options->csv, "CSV file for the path: time, position, velocity")
+      ->type_name("FILE");
+  command->add_option("--plot", options->plot, "SVG file for a chart of the path")
+      ->type_name("FILE");
+  line.on_call(command, [options] { return simulate(*options); });
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,374 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "ricochet/error.h"
+#include "ricochet/problem.h"
+#include "ricochet/run.h"
+#include "ricochet/solver.h"
+#include "solvers/outside/outside.h"
+#include "src/app/command_line.h"
+#include "src/app/shared_options.h"
+#include "src/core/files.h"
+#include "src/core/instance.h"
+#include "src/core/progress.h"
+#include "src/core/seed.h"
+#include "src/experiment/perturbations.h"
+#include "src/experiment/worker.h"
+#include "src/report/drawing.h"
+#include "src/report/json.h"
+#include "src/studies/suite/families.h"
+
+namespace ricochet::cli {
+namespace {
+
+constexpr std::int64_t largest_budget = 1'000'000'000;
+
+using report::Json;
+
+struct SolveOptions {
+  std::string solver, problem;
+  std::string scene_file;              ///< use this machine; empty: no machine of the user
+  std::vector<std::string> settings;   ///< of --set
+  std::string formulation;             ///< its name; empty: the first that the solver accepts
+  std::string perturbation = "plain";  ///< disturbs what the solver sees
+  std::int64_t budget = 1000;          ///< evaluations
+  int instance = 0;                    ///< 0: the original problem
+  int seed = 0;                        ///< number of the run
+  std::string trace;                   ///< CSV file of the improvements
+  std::string plot;                    ///< SVG file of the improvements
+  bool json = false;
+  Limits limits;
+};
+
+Solver solver_of(const std::string& wanted) {
+  const std::optional<Solver> brought = outside::outside_solver(wanted);
+  if (brought) return *brought;
+  return named(
+      all_solvers(), wanted, "solver", [](const Solver& s) { return s.name; },
+      "`ricochet list solvers`");
+}
+
+/// Throws InputError if what stands first is no solver, but what stands second is.
+void refuse_swapped(const SolveOptions& options) {
+  const auto is_solver = [](const std::string& name) {
+    const std::vector<Solver> all = all_solvers();
+    return outside::is_outside(name) || std::ranges::find(all, name, &Solver::name) != all.end();
+  };
+  if (is_solver(options.solver) || !is_solver(options.problem)) return;
+  throw InputError(fmt::format("{0} {1}: the solver comes first: ricochet solve {1} {0}",
+                               options.solver, options.problem));
+}
+
+/// The formulation asked for, or the first that the solver accepts.
+Formulation formulation_of(const SolveOptions& options, const Problem& problem,
+                           const Solver& solver) {
+  std::vector<Formulation> accepted;
+  std::vector<std::string> names;
+  for (const Formulation& formulation : problem.formulations()) {
+    if (!solver.accepts(problem.formulated(formulation))) continue;
+    accepted.push_back(formulation);
+    names.push_back(problem.name_of(formulation));
+  }
+  if (accepted.empty()) {
+    const Capabilities& can = solver.capabilities;
+    throw InputError(fmt::format(
+        "{} accepts no formulation of {}; variables: {}; constraints: {}; needs: {}", solver.name,
+        problem.name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
+  }
+  if (options.formulation.empty()) return accepted.front();
+  return named(accepted, options.formulation,
+               fmt::format("formulation of {} that {} accepts", problem.name, solver.name),
+               [&](const Formulation& formulation) { return problem.name_of(formulation); });
+}
+
+/// Wraps the problem in the selected perturbation. Its random numbers depend on problem, instance
+/// and run, and are the same for every solver.
+Problem featured(const SolveOptions& options, const Problem& problem,
+                 const std::string& formulation) {
+  const Perturbation perturbation = named(all_perturbations(), options.perturbation, "perturbation",
+                                          [](const Perturbation& known) { return known.name; });
+  if (!perturbation.applies(problem)) {
+    throw InputError(fmt::format("--perturbation {}: does not apply to {}, formulation {}: {}",
+                                 perturbation.name, problem.name, formulation,
+                                 perturbation.summary));
+  }
+  return perturbation.perturbed(
+      problem, seed_of(problem.name, perturbation.name, problem.instance, options.seed));
+}
+
+/// The objective as a user says it: what is maximised is not negated.
+double as_said(double objective, const Problem& problem) {
+  return problem.maximises ? 0 - objective : objective;
+}
+
+/// The same as text, with the unit.
+std::string in_words(double objective, const Problem& problem) {
+  return fmt::format("{:.9g}{}{}", as_said(objective, problem), problem.unit.empty() ? "" : " ",
+                     problem.unit);
+}
+
+/// Wraps the problem so that it reports on a terminal whenever a better true objective was
+/// evaluated.
+Problem watched(const Problem& problem) {
+  if (!Progress::redraws()) return problem;
+  Problem result = problem;
+  result.true_values = [problem, best = std::optional<TrueValues>()](const Vector& x) mutable {
+    const TrueValues true_values = true_values_at(problem, x);
+    if (!best || better(true_values, *best)) {
+      best = true_values;
+      const char* const but = true_values.violation > 0 ? ", not feasible" : "";
+      std::fputs(
+          fmt::format("\r\033[Kbest {}{}", in_words(true_values.objective, problem), but).c_str(),
+          stderr);
+    }
+    return true_values;
+  };
+  return result;
+}
+
+/// The points of the problem as it is stated that a run's points are, which lie in the box of its
+/// instance, in the coordinates of its perturbation.
+class StatedPoints {
+ public:
+  StatedPoints(const SolveOptions& options, Problem stated, const std::string& formulation) {
+    stated.true_values = [point = point_](const Vector& natural) {
+      *point = natural;
+      return TrueValues{};
+    };
+    seen_ = featured(options, instance(stated, options.instance), formulation);
+  }
+
+  Vector of(const Vector& x) const {
+    true_values_at(seen_, x);
+    return *point_;
+  }
+
+ private:
+  std::shared_ptr<Vector> point_ = std::make_shared<Vector>();
+  Problem seen_;
+};
+
+std::string trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
+  std::string text = "evaluations,seconds,objective,violation";
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) text += fmt::format(",x{}", i + 1);
+  text += "\n";
+  for (const Improvement& step : record.trace) {
+    text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.true_values.objective,
+                        step.true_values.violation);
+    for (const double x : stated.of(step.x)) text += fmt::format(",{}", x);
+    text += "\n";
+  }
+  return text;
+}
+
+report::Plot plot_of(const RunRecord& record, const Problem& problem, const std::string& title) {
+  report::Chart chart;
+  chart.name = "trace";
+  chart.title = title;
+  chart.x = {.label = "evaluations", .scale = report::Scale::logarithmic};
+  chart.y.label = "best true objective" + (problem.unit.empty() ? "" : " [" + problem.unit + "]");
+  chart.width = 720;
+  report::Series series{"", report::Mark::steps, {}};
+  for (const Improvement& step : record.trace) {
+    if (step.true_values.violation > 0) continue;
+    series.samples.push_back(
+        {static_cast<double>(step.evaluations), as_said(step.true_values.objective, problem)});
+  }
+  if (!series.samples.empty()) {
+    series.samples.push_back(
+        {static_cast<double>(record.ledger.charged), *series.samples.back().value});
+  }
+  chart.series = {series};
+  if (problem.best_known) {
+    chart.lines = {
+        {report::Direction::horizontal, as_said(*problem.best_known, problem), "best known"}};
+  }
+  return report::plot_of({chart});
+}
+
+Json json_of(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
+             const std::string& perturbation, const Problem& problem, const StatedPoints& stated) {
+  Json terminations = Json::array();
+  for (const SolverTermination& exit : record.terminations) terminations.push_back(exit.reason);
+  Json point, stated_point;
+  if (!record.trace.empty()) {
+    point = record.trace.back().x;
+    stated_point = stated.of(record.trace.back().x);
+  }
+  return {{"problem", record.problem},
+          {"solver", record.solver},
+          {"formulation", formulation},
+          {"perturbation", perturbation},
+          {"instance", record.instance},
+          {"run", record.run},
+          {"budget", record.budget.evaluations},
+          {"solved", verdict.solved},
+          {"objective", verdict.objective},
+          {"best_known", problem.best_known},
+          {"gap", verdict.optimality_gap},
+          {"evaluations_to_solve", verdict.evaluations_to_solve},
+          {"returned_solved", verdict.returned_solved},
+          {"returned_gap", verdict.returned_optimality_gap},
+          {"evaluations", record.ledger.charged},
+          {"seconds", record.ledger.seconds},
+          {"point", point},
+          {"stated_point", stated_point},
+          {"terminations", terminations},
+          {"failure", record.failure}};
+}
+
+/// The first coordinates of a point.
+std::string in_words(const Vector& x) {
+  constexpr Eigen::Index most = 8;
+  std::string text = fmt::format("{:.9g}", fmt::join(x.head(std::min(x.size(), most)), " "));
+  if (x.size() > most) text += fmt::format(" ... ({} variables)", x.size());
+  return text;
+}
+
+void print(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
+           const std::string& perturbation, const Problem& problem, const StatedPoints& stated) {
+  fmt::print("{} on {}, formulation {}{}, instance {}: {}.\n", record.solver, record.problem,
+             formulation, perturbation == "plain" ? "" : ", " + perturbation, record.instance,
+             verdict.solved
+                 ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
+             : !problem.best_known ? "not scored, as no best value is known"
+             : verdict.feasible    ? "not solved"
+                                   : "nothing feasible found");
+  if (verdict.objective) {
+    fmt::print("Best evaluated: {}", in_words(*verdict.objective, problem));
+    if (verdict.optimality_gap)
+      fmt::print(", {:.3g} from the best known, {}", *verdict.optimality_gap,
+                 in_words(*problem.best_known, problem));
+    fmt::print(".\n");
+  }
+  if (!record.returned) {
+    fmt::print("Returned: nothing.\n");
+  } else if (record.returned->true_values.violation > 0) {
+    fmt::print("Returned: a point that is not feasible, by {:.3g}.\n",
+               record.returned->true_values.violation);
+  } else {
+    fmt::print("Returned: {}.\n", in_words(record.returned->true_values.objective, problem));
+  }
+  if (!record.trace.empty()) {
+    const Vector& x = record.trace.back().x;
+    const Vector point = stated.of(x);
+    const double violation = record.trace.back().true_values.violation;
+    fmt::print("Best evaluated point{}: {}.\n",
+               violation > 0 ? fmt::format(", not feasible by {:.3g}", violation) : "",
+               in_words(point));
+    if (point != x) fmt::print("In the solver's own box: {}.\n", in_words(x));
+  }
+  fmt::print("{} evaluations, {:.3g} ms of processor time, ", record.ledger.charged,
+             1e3 * record.ledger.seconds);
+  if (record.terminations.empty()) {
+    fmt::print("no start ended");
+  } else {
+    fmt::print("{} starts:", record.terminations.size());
+  }
+  std::map<std::string, int> terminations;
+  for (const SolverTermination& exit : record.terminations) ++terminations[exit.reason];
+  for (const auto& [reason, times] : terminations) fmt::print(" {} times \"{}\"", times, reason);
+  fmt::print(".\n");
+}
+
+int solve(const SolveOptions& options) {
+  // A number beyond the range of an integer arrives here as the largest one.
+  if (options.budget < 1 || options.budget > largest_budget)
+    throw InputError(
+        fmt::format("--budget {}: must be within 1..{}", options.budget, largest_budget));
+  if (options.instance < 0) {
+    throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
+  }
+  if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
+  check(options.limits);
+  refuse_swapped(options);
+  const Solver solver = solver_of(options.solver);
+  const Problem asked = named(
+      every_problem(suite_families(options.scene_file, options.settings)), options.problem,
+      "problem", [](const Problem& q) { return q.name; }, "`ricochet list problems`");
+  const Formulation formulation = formulation_of(options, asked, solver);
+  const std::string formulation_name = asked.name_of(formulation);
+  const Problem problem = featured(
+      options, instance(asked.formulated(formulation), options.instance), formulation_name);
+  const Problem seen = watched(problem);
+  const std::string shown = shown_as(formulation_name, options.perturbation);
+  RunRecord record;
+  run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
+          [&record](std::size_t, RunRecord made) { record = std::move(made); });
+  if (Progress::redraws()) std::fputs("\r\033[K", stderr);
+  const StatedPoints stated(options, asked.formulated(formulation), formulation_name);
+  const Verdict verdict = judge(record, problem, asked.tolerance);
+  std::deque<TextDraft> drafts;
+  if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem, stated));
+  report::Plot plot;
+  if (!options.plot.empty()) {
+    plot = plot_of(record, problem, solver.name + " on " + asked.name);
+    if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
+  }
+  for (TextDraft& draft : drafts) draft.commit();
+  if (options.json) {
+    fmt::print(
+        "{}\n",
+        json_of(record, verdict, formulation_name, options.perturbation, problem, stated).dump(2));
+  } else {
+    print(record, verdict, formulation_name, options.perturbation, problem, stated);
+  }
+  report::require_none(plot.failures);
+  if (!record.failure.empty()) throw std::runtime_error(record.failure);
+  return 0;
+}
+
+}  // namespace
+
+void add_solve(CommandLine& line) {
+  CLI::App* command =
+      line.add("solve", "Run one solver on one problem and score it",
+               "  ricochet solve nlopt-cobyla top-speed-C1 --formulation penalised-count\n"
+               "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
+               "  ricochet solve nlopt-slsqp profile-count-8-scene --scene machine.toml\n"
+               "  ricochet solve ./mine.so count-C1\n"
+               "  ricochet solve 'python3 mine.py' count-C1");
+  const auto options = std::make_shared<SolveOptions>();
+  command
+      ->add_option("solver", options->solver,
+                   "A name of `ricochet list solvers`, a shared library or a program")
+      ->required()
+      ->type_name("SOLVER");
+  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
+      ->required()
+      ->type_name("PROBLEM");
+  add_scene_file(command, options->scene_file, options->settings);
+  command->add_option("--formulation", options->formulation,
+                      "Formulation of the problem; default: the first that the solver accepts");
+  std::vector<std::string> perturbations;
+  for (const Perturbation& known : all_perturbations()) perturbations.push_back(known.name);
+  command->add_option("--perturbation", options->perturbation, "Perturbation of the problem")
+      ->type_name(fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")))
+      ->capture_default_str();
+  command->add_option("--budget", options->budget, "Evaluations")->capture_default_str();
+  command
+      ->add_option("--instance", options->instance,
+                   "0: the original problem; 1, 2, ...: moved and reflected")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Number of the run, which gives its random numbers")
+      ->capture_default_str();
+  command->add_option("--trace", options->trace, "CSV file for the improvements")
+      ->type_name("FILE");
+  command->add_option("--plot", options->plot, "SVG file for a chart of the improvements")
+      ->type_name("FILE");
+  add_limits(command, options->limits);
+  add_format(command, options->json);
+  line.on_call(command, [options] { return solve(*options); });
+}
+
+}  // namespace ricochet::cli

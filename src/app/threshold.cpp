@@ -1,0 +1,324 @@
+#include "src/app/threshold.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "problems/carrier_track/counting/quiet_speed.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/error.h"
+#include "ricochet/machine.h"
+#include "src/app/command_line.h"
+#include "src/app/limited.h"
+#include "src/app/report.h"
+#include "src/app/scene_choice.h"
+#include "src/app/shared_options.h"
+#include "src/core/files.h"
+#include "src/report/drawing.h"
+#include "src/report/json.h"
+#include "src/report/text.h"
+#include "src/studies/machine/answer.h"
+#include "src/studies/machine/charts.h"
+
+namespace ricochet::cli {
+
+namespace {
+
+using namespace carrier_track;
+using namespace studies::advice;
+using report::Json;
+
+struct ThresholdOptions {
+  SceneChoice scene;
+  bool all = false;  ///< every case of the paper
+  bool json = false;
+  std::string plot;  ///< SVG file for the staircase; empty: none
+  QuietSpeedRequest asked;
+};
+
+Json restitution_of(const Scene& scene) {
+  if (scene.restitution_lower == scene.restitution_upper) return scene.restitution_lower;
+  return Json::array({scene.restitution_lower, scene.restitution_upper});
+}
+
+Json json_of(const ChosenScene& chosen, const Score& score) {
+  Json examples = Json::array();
+  for (const Example& e : score.examples) {
+    examples.push_back({{"omega", e.omega},
+                        {"side", e.loud ? "loud" : "quiet"},
+                        {"count", e.count},
+                        {"right", e.right}});
+  }
+  return {{"case", chosen.name},
+          {"restitution", restitution_of(chosen.scene)},
+          {"friction", chosen.scene.friction},
+          {"disturbance", chosen.scene.disturbance},
+          {"paper_threshold", chosen.claim.threshold},
+          {"threshold", rounded(score.threshold)},
+          {"first_loud", rounded(score.first_loud)},
+          {"misclassified", score.misclassified},
+          {"purity", score.purity},
+          {"loudness", score.loudness},
+          {"paper_quiet_count", chosen.claim.quiet_count},
+          {"quiet_count", score.quiet_count},
+          {"interpretation", chosen.interpretation},
+          {"evaluations", score.evaluations},
+          {"seconds", score.seconds},
+          {"complete", true},
+          {"examples", examples}};
+}
+
+/// The row of a case for which there was no time.
+Json unknown_row(const ChosenScene& chosen) {
+  Json row = json_of(chosen, Score{});
+  for (const char* key : {"misclassified", "quiet_count", "evaluations", "seconds"}) row[key] = {};
+  row["complete"] = false;
+  return row;
+}
+
+void print_header() {
+  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7} {:>6} {:>6}  {}\n", "scene",
+             "threshold", "paper", "error", "first loud", "quiet", "paper", "misclas", "purity",
+             "loud/q", "examples");
+}
+
+void print_row(const ChosenScene& chosen, const Score& score) {
+  std::string error = "-";
+  if (chosen.claim.threshold && score.threshold) {
+    error = fmt::format("{:+.1f} %", 100 * (*score.threshold / *chosen.claim.threshold - 1));
+  }
+  std::string examples;
+  for (const Example& e : score.examples) {
+    examples += fmt::format("{}{} at {}: {}", examples.empty() ? "" : ", ", e.omega, e.count,
+                            e.right ? "right" : "WRONG");
+  }
+  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7.4f} {:>6} {:>6}  {}\n", chosen.name,
+             report::text_or_dash(score.threshold, "{:.4f}"),
+             report::text_or_dash(chosen.claim.threshold, "{}"), error,
+             report::text_or_dash(score.first_loud, "{:.3f}"), score.quiet_count,
+             report::text_or_dash(chosen.claim.quiet_count, "{}"), score.misclassified,
+             report::text_or_dash(score.purity, "{:.3f}"),
+             report::text_or_dash(score.loudness, "{:.2f}"), examples);
+}
+
+/// Prints the result of the paper's rule for a case.
+void print_paper_rule(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
+  fmt::print("By the paper's rule, for a window of {:.3g} turns after a fitted start: ",
+             turns_of(chosen.scene));
+  if (score.first_loud) {
+    fmt::print("the lowest loud speed is {}.\n", both_units(*score.first_loud));
+  } else {
+    fmt::print("every speed up to {} rad/s is quiet.\n", options.highest);
+  }
+  fmt::print("Quiet means at most {} collisions in the window: 1.5 times the usual {}{}.\n",
+             std::floor(quiet_limit(score.quiet_count)), score.quiet_count,
+             chosen.claim.threshold ? " below the paper's threshold" : "");
+  if (score.threshold) {
+    fmt::print(
+        "Quiet and loud divide best at {:.4f} rad/s; {:.2f} % of the speeds up to {} rad/s "
+        "lie on the wrong side.\n",
+        *score.threshold, 100 * score.misclassified, options.highest);
+  }
+  if (chosen.claim.threshold) {
+    fmt::print("The paper has them divide at {} rad/s, with {} collisions below.\n",
+               *chosen.claim.threshold, report::text_or_dash(chosen.claim.quiet_count, "{}"));
+  }
+}
+
+/// The scores of as many cases as there is time for.
+std::vector<Score> scores_of(const std::vector<ChosenScene>& scenes, const ScanOptions& scan) {
+  std::vector<Score> scores;
+  try {
+    for (const ChosenScene& chosen : scenes) {
+      scores.push_back(score(chosen.scene, chosen.claim, scan));
+    }
+  } catch (const TimeLimitReached&) {
+    // The rows say so.
+  }
+  return scores;
+}
+
+int threshold_of_all(const ScanOptions& scan, bool json, double seconds) {
+  const std::vector<ChosenScene> scenes = every_case();
+  const std::vector<Score> scores = limited(seconds, [&] { return scores_of(scenes, scan); });
+  Json rows = Json::array();
+  if (!json) print_header();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool known = i < scores.size();
+    if (json) {
+      rows.push_back(known ? json_of(scenes[i], scores[i]) : unknown_row(scenes[i]));
+    } else if (known) {
+      print_row(scenes[i], scores[i]);
+    }
+  }
+  if (json) fmt::print("{}\n", rows.dump(2));
+  if (scores.size() == scenes.size()) return 0;
+  return report_incomplete(seconds,
+                           fmt::format("{} of {} cases are known", scores.size(), scenes.size()));
+}
+
+/// Returns the score that corresponds to the answer for a machine.
+Score score_of(const QuietSpeed& answer) {
+  Score score;
+  score.threshold = answer.split.speed;
+  score.first_loud = answer.split.first_loud;
+  score.misclassified = answer.split.misclassified;
+  if (!answer.staircase.levels.empty()) score.quiet_count = answer.staircase.levels.front().typical;
+  score.evaluations =
+      static_cast<std::int64_t>(answer.scan.counts.size() + answer.fine.counts.size());
+  return score;
+}
+
+/// The collisions over the speed, with the answer and the paper's claim.
+report::Plot plot_of(const ChosenScene& chosen, const QuietSpeed& answer) {
+  return report::plot_of({staircase_chart(answer, chosen.name + ": collisions against speed",
+                                          {{answer.fastest_quiet, "fastest quiet speed"},
+                                           {chosen.claim.threshold, "paper's threshold"}})});
+}
+
+int threshold(const ThresholdOptions& options) {
+  const QuietSpeedOptions asked = options_of(options.asked);
+  ScanOptions scan;
+  scan.highest = asked.fastest;
+  if (options.all) {
+    if (!(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
+      throw InputError("--all stands alone: it takes neither --case nor --scene");
+    }
+    if (!options.scene.settings.empty()) {
+      throw InputError("--all has the paper's cases as they are: it takes no --set");
+    }
+    if (asked.limit || options.asked.tolerance > 0) {
+      throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
+    }
+    if (!options.plot.empty()) throw InputError("--all has no picture: it takes no --plot");
+    return threshold_of_all(scan, options.json, options.asked.seconds);
+  }
+  const ChosenScene chosen = choose_scene(options.scene);
+  carrier_track::check_constant_speed(chosen.scene, chosen.name);
+  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  const auto start = std::chrono::steady_clock::now();
+  bool by_the_paper =
+      !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
+  QuietSpeedAnswer output;
+  Score score;
+  const bool of_the_long_run = is_of_the_long_run(chosen.scene, limit_of(asked));
+  limited(
+      options.asked.seconds,
+      [&] {
+        try {
+          output = answer_quiet_speed(chosen.name, chosen.scene, asked,
+                                      options.asked.tolerance / 100, chosen.source);
+        } catch (const TimeLimitReached&) {
+          if (!of_the_long_run) throw;
+          by_the_paper = false;
+          output.name = chosen.name;
+          output.scene = chosen.scene;
+          output.answer.options = asked;
+          output.answer.reached = slowest_of_a_range;
+          return;
+        }
+        score = score_of(output.answer);
+        try {
+          if (by_the_paper) score = carrier_track::score(chosen.scene, chosen.claim, scan);
+        } catch (const TimeLimitReached&) {
+          output.left_out.emplace_back("paper's rule");
+          by_the_paper = false;
+        }
+      },
+      of_the_long_run ? seconds_to_sample(options.asked.seconds) : 0);
+  if (of_the_long_run && output.answer.reached) {
+    output.sampled = sampled_in_time(chosen.scene, *output.answer.reached, asked.fastest,
+                                     seconds_to_sample(options.asked.seconds));
+  }
+  score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report::Plot plot;
+  if (!options.plot.empty()) plot = plot_of(chosen, output.answer);
+  if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
+  if (options.json) {
+    Json json = json_of(chosen, score);
+    json.update(studies::advice::json_of(output));
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}", text_of(output));
+    if (by_the_paper) print_paper_rule(chosen, score, scan);
+  }
+  report::require_none(plot.failures);
+  if (output.is_complete()) return 0;
+  return report_incomplete(options.asked.seconds, studies::advice::known_part_of(output));
+}
+
+}  // namespace
+
+void add_threshold(CommandLine& line) {
+  CLI::App* command = line.add("threshold", "Find the fastest quiet speed, to 1e-3 rad/s",
+                               "  ricochet threshold --scene machine.toml --plot staircase.svg\n"
+                               "  ricochet threshold --all --format json");
+  const auto options = std::make_shared<ThresholdOptions>();
+  add_scene_choice(command, options->scene);
+  add_format(command, options->json);
+  command->add_flag("--all", options->all, "Every case of the paper");
+  add_request(command, options->asked);
+  command->add_option("--plot", options->plot, "SVG file for a chart of the counts")
+      ->type_name("FILE");
+  line.on_call(command, [options] { return threshold(*options); });
+}
+
+namespace {
+
+using carrier_track::Limit;
+using carrier_track::Measure;
+
+std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
+  const std::pair<Measure, std::optional<double>> asked[] = {
+      {Measure::collisions, request.allow},
+      {Measure::collisions_per_turn, request.allow_per_turn},
+      {Measure::energy, request.allow_energy},
+      {Measure::impact_speed, request.allow_speed}};
+  std::optional<Limit> limit;
+  for (const auto& [measure, at_most] : asked) {
+    if (!at_most) continue;
+    if (limit) {
+      throw InputError("--allow, --allow-per-turn, --allow-energy, --allow-speed: one at a time");
+    }
+    if (!(*at_most >= 0 && std::isfinite(*at_most))) {
+      throw InputError(fmt::format("what is allowed is {}: must be finite and >= 0", *at_most));
+    }
+    limit = {measure, *at_most};
+  }
+  return limit;
+}
+
+}  // namespace
+
+void add_request(CLI::App* command, QuietSpeedRequest& asked) {
+  add_seconds(command, asked.seconds);
+  command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
+      ->capture_default_str();
+  command->add_option("--allow", asked.allow, "Limit: collisions in the window");
+  command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions per turn");
+  command->add_option("--allow-energy", asked.allow_energy,
+                      "Limit: energy [J] that the walls dissipate in the window");
+  command->add_option("--allow-speed", asked.allow_speed,
+                      "Limit: speed [m/s] of the fastest impact");
+  command->add_option("--tolerance", asked.tolerance,
+                      "Uncertainty of every constant [%]; prints the range of the answer");
+}
+
+carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request) {
+  if (!(request.fastest >= carrier_track::shortest_range &&
+        request.fastest <= carrier_track::longest_range)) {
+    throw InputError(fmt::format("--fastest {}: must be within {}..{} [rad/s]", request.fastest,
+                                 carrier_track::shortest_range, carrier_track::longest_range));
+  }
+  if (!(request.tolerance >= 0 && request.tolerance <= 50)) {
+    throw InputError(fmt::format("--tolerance {}: must be within 0..50 [%]", request.tolerance));
+  }
+  return {.limit = limit_of(request), .fastest = request.fastest};
+}
+
+}  // namespace ricochet::cli

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace ricochet::cli {
-
-/// Number of runs made at once.
-int cores();
-
-}  // namespace ricochet::cli

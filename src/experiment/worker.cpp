@@ -1,0 +1,450 @@
+#include "src/experiment/worker.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "ricochet/error.h"
+#include "src/core/process.h"
+#include "src/core/seed.h"
+#include "src/experiment/merge.h"
+
+namespace ricochet {
+
+namespace {
+
+// The head of a message: its length and its kind. The content follows.
+struct Head {
+  std::uint64_t length;
+  enum class Kind : std::uint64_t { improvement, waiting, record } kind;
+};
+
+/// A record is much shorter; a longer message comes from a broken process.
+constexpr std::uint64_t longest_message = 1ULL << 30;
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+RunRecord nothing_run_of(const Job& job) {
+  return nothing_run(*job.problem, *job.solver, job.budget, job.number, job.shown);
+}
+
+/// Writes all bytes; ends the process if no one reads any more.
+void write_all(int descriptor, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = write(descriptor, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(1);
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+void tell(int descriptor, Head::Kind kind, const std::string& text) {
+  const Head head{text.size(), kind};
+  std::string message(reinterpret_cast<const char*>(&head), sizeof head);
+  message += text;
+  write_all(descriptor, message.data(), message.size());
+}
+
+/// The next job from the parent; nothing if there are no more.
+std::optional<std::size_t> next_job(int descriptor) {
+  std::size_t job = 0;
+  ssize_t count = 0;
+  do {
+    count = read(descriptor, &job, sizeof job);
+  } while (count < 0 && errno == EINTR);
+  return count == sizeof job ? std::optional(job) : std::nullopt;
+}
+
+RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on_improvement) {
+  const auto made_on = [&](const Problem& problem) {
+    return run(problem, *job.solver, job.budget, job.number, on_improvement, job.shown);
+  };
+  if (job.perturbation == nullptr) return made_on(*job.problem);
+  // The same draws for every solver, so that all get the same difficulty.
+  const Problem& problem = *job.problem;
+  return made_on(job.perturbation->perturbed(
+      problem, seed_of(problem.name, job.perturbation->name, problem.instance, job.number)));
+}
+
+/// The main function of the process.
+[[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, int descriptor) {
+  limit_resources(limits.megabytes);
+  // A solver must neither read what this process was given nor write into results.
+  lead_nowhere(STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  on_waiting(
+      [descriptor](const std::string& text) { tell(descriptor, Head::Kind::waiting, text); });
+  try {
+    while (const auto job = next_job(descriptor)) {
+      RunRecord record = make(jobs[*job], [&](const Improvement& step) {
+        tell(descriptor, Head::Kind::improvement, text_of(step));
+      });
+      record.trace.clear();  // already sent
+      tell(descriptor, Head::Kind::record, text_of(record));
+    }
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);  // without the parent's exit handlers
+}
+
+}  // namespace
+
+void check(const Limits& limits) {
+  if (!(limits.seconds > 0)) {
+    throw InputError(fmt::format("--run-seconds {}: must be > 0", limits.seconds));
+  }
+  if (!(limits.megabytes > 0)) {
+    throw InputError(fmt::format("--run-megabytes {}: must be > 0", limits.megabytes));
+  }
+}
+
+Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
+    : jobs_(jobs), limits_(limits), born_(std::chrono::steady_clock::now()) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
+  std::fflush(nullptr);  // buffered output is the parent's to write
+  descriptor_ = ends[0];
+  try {
+    process_.emplace([&] {
+      close(ends[0]);
+      work(jobs, limits, ends[1]);
+    });
+  } catch (...) {
+    close(ends[0]);
+    close(ends[1]);
+    throw;
+  }
+  close(ends[1]);
+}
+
+void Worker::begin(std::size_t job) {
+  job_ = job;
+  ++runs_;
+  trace_.clear();
+  waiting_.clear();
+  record_.reset();
+  deadline_ = std::chrono::steady_clock::now() +
+              std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                  std::chrono::duration<double>(std::min(limits_.seconds, 1e9)));
+  // If it fails, listen() reports it.
+  static_cast<void>(send(descriptor_, &job, sizeof job, MSG_NOSIGNAL));
+}
+
+std::chrono::steady_clock::duration Worker::age() const {
+  return std::chrono::steady_clock::now() - born_;
+}
+
+Worker::~Worker() {
+  process_.reset();
+  close(descriptor_);
+}
+
+bool Worker::listen() {
+  char buffer[1 << 16];
+  const ssize_t count = read(descriptor_, buffer, sizeof buffer);
+  if (count < 0 && errno == EINTR) return true;
+  if (count <= 0) return false;
+  unread_.append(buffer, static_cast<std::size_t>(count));
+  std::size_t taken = 0;
+  Head head{};
+  while (unread_.size() - taken >= sizeof head) {
+    std::memcpy(&head, unread_.data() + taken, sizeof head);
+    if (head.length > longest_message) return false;
+    if (unread_.size() - taken - sizeof head < head.length) break;
+    const std::string text = unread_.substr(taken + sizeof head, head.length);
+    try {
+      if (head.kind == Head::Kind::improvement) {
+        trace_.push_back(improvement_from(text));
+      } else if (head.kind == Head::Kind::waiting) {
+        waiting_ = text;
+      } else {
+        record_ = record_from(text);
+      }
+    } catch (const std::exception&) {
+      return false;
+    }
+    taken += sizeof head + head.length;
+  }
+  unread_.erase(0, taken);
+  return !record_;
+}
+
+/// Kills the process and all that it has started. Returns how it ended.
+std::string Worker::kill_and_wait() {
+  const bool late = std::chrono::steady_clock::now() >= deadline_;
+  const int status = process_->end();
+  process_.reset();
+  killed_from_outside_ = !late && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+  return late ? fmt::format("killed: it took more than {} s{}{}", limits_.seconds,
+                            waiting_.empty() ? "" : "; ", waiting_)
+              : ending_in_words(status);
+}
+
+RunRecord Worker::record() {
+  const Job& job = jobs_[job_];
+  std::string wrong;
+  if (record_) {
+    record_->trace = std::move(trace_);
+    wrong = impossibility(*record_);
+    if (wrong.empty()) return *std::move(record_);
+    trace_.clear();
+  }
+  RunRecord record = nothing_run_of(job);
+  record.ledger.charged = job.budget.evaluations;
+  record.trace = std::move(trace_);
+  record.failure = kill_and_wait();
+  if (wrong.empty()) wrong = impossibility(record);
+  if (wrong.empty()) return record;
+  record.trace.clear();
+  record.failure = "its record says what cannot be: " + wrong;
+  return record;
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A process is replaced at this age, so that leftovers of solvers do not accumulate; a new process
+/// takes a few milliseconds.
+constexpr std::chrono::seconds old_age(1);
+
+/// Jobs that wait, in order.
+class Queue {
+ public:
+  explicit Queue(std::size_t jobs) : jobs_(jobs) {}
+
+  bool empty() const { return again_.empty() && next_ == jobs_; }
+
+  /// Returns true if the next job needs a fresh process.
+  bool alone() const { return !again_.empty(); }
+
+  std::size_t take() {
+    if (again_.empty()) return next_++;
+    const std::size_t job = again_.back();
+    again_.pop_back();
+    return job;
+  }
+
+  /// Puts a job back for a second try in a fresh process: its failure may be caused by earlier runs
+  /// in the same process, or its process was killed from outside. Returns false if the job already
+  /// had its second try.
+  bool put_back(std::size_t job) {
+    if (!had_another_try_.insert(job).second) return false;
+    again_.push_back(job);
+    return true;
+  }
+
+ private:
+  std::size_t jobs_;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> again_;
+  std::set<std::size_t> had_another_try_;
+};
+
+/// Waits for news of any worker, at most until a deadline. Returns for each whether it has news.
+std::vector<bool> wait_for(const std::vector<std::unique_ptr<Worker>>& workers) {
+  std::vector<pollfd> descriptors;
+  auto deadline = Clock::time_point::max();
+  for (const auto& worker : workers) {
+    descriptors.push_back({worker->descriptor(), POLLIN, 0});
+    deadline = std::min(deadline, worker->deadline());
+  }
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+  // At most an hour, so that it fits into an int.
+  poll(descriptors.data(), descriptors.size(),
+       static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 3'600'000)));
+  std::vector<bool> news;
+  for (const pollfd& each : descriptors) news.push_back(each.revents != 0);
+  return news;
+}
+
+/// A worker that runs the next job: this one if it may continue, else a new one.
+std::unique_ptr<Worker> at_work(std::unique_ptr<Worker> worker, Queue& queue,
+                                const std::vector<Job>& jobs, const Limits& limits) {
+  const bool goes_on = worker && worker->alive() && worker->age() < old_age && !queue.alone();
+  if (!goes_on) worker = std::make_unique<Worker>(jobs, limits);
+  worker->begin(queue.take());
+  return worker;
+}
+
+}  // namespace
+
+int open_files_of_runs(std::size_t processes) {
+  // In each process: what a program or a shared library needs. Measured: 6. With too few, a run
+  // would be kept as one whose solver failed.
+  constexpr int of_run = 12;
+  // A socket, and a descriptor of the process; one process more is started before an old one ends.
+  return of_run + 2 * (static_cast<int>(processes) + 1);
+}
+
+std::size_t processes_of_runs() {
+  return std::max<std::size_t>(
+      1, tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+void run_all(const std::vector<Job>& jobs, const Limits& limits,
+             const std::function<void(std::size_t, RunRecord)>& done) {
+  const std::size_t at_once = std::min(processes_of_runs(), jobs.size());
+  allow_further_open_files(open_files_of_runs(at_once));
+  Queue queue(jobs.size());
+  std::vector<std::unique_ptr<Worker>> workers;
+  while (workers.size() < at_once) {
+    workers.push_back(at_work(nullptr, queue, jobs, limits));
+  }
+  while (!workers.empty()) {
+    const std::vector<bool> news = wait_for(workers);
+    for (std::size_t w = 0; w < workers.size(); ++w) {
+      Worker& worker = *workers[w];
+      const bool goes_on = !news[w] || worker.listen();
+      if (goes_on && Clock::now() < worker.deadline()) continue;
+      RunRecord record = worker.record();
+      const bool blameless = !worker.alive() && (worker.runs() > 1 || worker.killed_from_outside());
+      if (!blameless || !queue.put_back(worker.job())) {
+        done(worker.job(), std::move(record));
+      }
+      workers[w] = queue.empty() ? nullptr : at_work(std::move(workers[w]), queue, jobs, limits);
+    }
+    std::erase(workers, nullptr);
+  }
+}
+
+std::vector<RunRecord> run_all(const std::vector<Job>& jobs, Progress& progress) {
+  std::vector<RunRecord> records(jobs.size());
+  run_all(jobs, Limits{}, [&](std::size_t job, RunRecord record) {
+    records[job] = std::move(record);
+    progress.advance(1);
+  });
+  return records;
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string bytes_of(const Json& json) {
+  std::string bytes;
+  Json::to_cbor(json, nlohmann::detail::output_adapter<char>(bytes));
+  return bytes;
+}
+
+Json json_of(const Vector& x) {
+  return std::vector<double>(x.begin(), x.end());
+}
+
+Vector vector_from(const Json& json) {
+  const auto numbers = json.get<std::vector<double>>();
+  return Eigen::Map<const Vector>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+Json json_of(const TrueValues& true_values) {
+  return {true_values.objective, true_values.violation};
+}
+
+TrueValues true_values_from(const Json& json) {
+  return {json.at(0), json.at(1)};
+}
+
+Json json_of(const Improvement& step) {
+  return {step.evaluations, step.seconds, json_of(step.true_values), json_of(step.x)};
+}
+
+Improvement step_from(const Json& json) {
+  return {json.at(0), json.at(1), true_values_from(json.at(2)), vector_from(json.at(3))};
+}
+
+Json json_of(const SolverTermination& exit) {
+  return {exit.reason, exit.point ? json_of(*exit.point) : Json()};
+}
+
+SolverTermination exit_from(const Json& json) {
+  SolverTermination exit{json.at(0)};
+  if (!json.at(1).is_null()) exit.point = vector_from(json.at(1));
+  return exit;
+}
+
+template <class List>
+Json array_of(const List& list) {
+  Json all = Json::array();
+  for (const auto& entry : list) all.push_back(json_of(entry));
+  return all;
+}
+
+}  // namespace
+
+std::string text_of(const Improvement& improvement) {
+  return bytes_of(json_of(improvement));
+}
+
+Improvement improvement_from(const std::string& text) {
+  return step_from(Json::from_cbor(text));
+}
+
+std::string text_of(const RunRecord& record) {
+  const Ledger& ledger = record.ledger;
+  Json json = {{"problem", record.problem},
+               {"solver", record.solver},
+               {"instance", record.instance},
+               {"run", record.run},
+               {"seed", record.seed},
+               {"evaluations", record.budget.evaluations},
+               {"seconds", record.budget.seconds},
+               {"ledger",
+                {ledger.values, ledger.derivatives, ledger.hessians, ledger.charged, ledger.refused,
+                 ledger.seconds}},
+               {"termination_reason", static_cast<int>(record.termination_reason)},
+               {"terminations", array_of(record.terminations)},
+               {"failure", record.failure},
+               {"trace", array_of(record.trace)}};
+  if (const auto& price = record.budget.gradient_price) json["gradient_price"] = *price;
+  if (const auto& over = record.returned) {
+    json["returned"] = {json_of(over->x), json_of(over->true_values)};
+  }
+  return bytes_of(json);
+}
+
+RunRecord record_from(const std::string& text) {
+  const Json json = Json::from_cbor(text);
+  const Json& ledger = json.at("ledger");
+  RunRecord record;
+  record.problem = json.at("problem");
+  record.solver = json.at("solver");
+  record.instance = json.at("instance");
+  record.run = json.at("run");
+  record.seed = json.at("seed");
+  record.budget = {json.at("evaluations"), json.at("seconds")};
+  if (json.contains("gradient_price")) record.budget.gradient_price = json["gradient_price"];
+  record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2),
+                   ledger.at(3), ledger.at(4), ledger.at(5)};
+  record.termination_reason =
+      static_cast<TerminationReason>(json.at("termination_reason").get<int>());
+  for (const Json& exit : json.at("terminations")) record.terminations.push_back(exit_from(exit));
+  record.failure = json.at("failure");
+  for (const Json& step : json.at("trace")) record.trace.push_back(step_from(step));
+  if (json.contains("returned")) {
+    const Json& over = json["returned"];
+    record.returned = {vector_from(over.at(0)), true_values_from(over.at(1))};
+  }
+  return record;
+}
+
+}  // namespace ricochet

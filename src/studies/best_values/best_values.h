@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/suite/best_known.h"
+#include "ricochet/problem.h"
+#include "ricochet/run.h"
+
+namespace ricochet::studies::best_values {
+
+using carrier_track::BestKnown;
+using carrier_track::scan_for_best;
+
+/// Effort for a best value, in evaluations instead of seconds, so that results are reproducible.
+struct Effort {
+  /// Of each search: fifty times the largest budget of any plan.
+  std::int64_t evaluations_per_variable = 50'000;
+  int rounds = 2;  ///< of three searches each; none begins after two agree
+};
+
+/// Returns the best true objective of a problem of several variables: by three solvers that do best
+/// on such problems, each restarted until its evaluations are spent and improved by local solvers,
+/// until two searches end within the problem's tolerance of the best, or all rounds are over.
+/// Constraints are penalised for solvers that take none. The problem's best known point stays if no
+/// search finds a better one. The provenance says how many searches agree.
+BestKnown search_for_best(const Problem& problem, const Effort& effort);
+
+/// Scans a problem of one variable at its step; uses solvers for several variables.
+BestKnown best_of(const Problem& problem, const Effort& effort);
+
+/// Which best values are searched for, and for how long.
+struct Plan {
+  std::string problems;  ///< a shell pattern, or a part of the name; empty: all
+  double seconds = std::numeric_limits<double>::infinity();  ///< no search is begun later
+  Effort effort = {};
+};
+
+/// The result of a search.
+struct Outcome {
+  std::size_t wanted = 0;      ///< problems of the plan
+  std::size_t finished = 0;    ///< of those, in this call or earlier
+  std::size_t improved = 0;    ///< better than the known value, or new
+  std::size_t infeasible = 0;  ///< no feasible point evaluated
+};
+
+/// Returns true if the name contains the pattern, or matches it as in a shell if it has * ? or [.
+bool matches(const std::string& name, const std::string& pattern);
+
+/// Searches for the best values of the problems, in parallel, and writes them to the file of
+/// best_known.h once all are complete. Until then finished values are kept in "<file>.part", so
+/// that an interrupted call can be resumed; values from calls for other problems are kept there
+/// too. Known values, in the file or in the program, are evaluated again at their points, and stay
+/// unless a better one is found; their provenance says how many searches agree. Throws InputError
+/// if a pattern matches nothing, or if a file cannot be read or written.
+Outcome find_best_values(const std::vector<Problem>& problems, const Plan& plan,
+                         const std::filesystem::path& file);
+
+using carrier_track::BestValues;
+
+/// The values in a file; none if there is no file. Throws InputError for invalid text.
+BestValues read_if_there(const std::filesystem::path& file);
+
+/// The true objective of a value's point, evaluated by this version; infinite if it is not a
+/// feasible point of the problem.
+double worth(const Problem& problem, const BestKnown& best);
+
+/// The provenance of the last point of a run's trace, which must not be empty.
+std::string finder_of(const RunRecord& record);
+
+/// The best values of the problems, by name: those in the program or in the file, whichever is
+/// better, the file's if they are equal; evaluated by this version.
+BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file);
+
+/// Takes the points of a store's runs that are better than the best values known by more than the
+/// problem's tolerance, as reports have it, and writes all values to a file of best_known.h.
+/// Returns the number of problems whose value is better than before. Every point is evaluated
+/// again, in the problem as stated; the file stays unchanged if none is better. Throws InputError
+/// if the store or the file cannot be read.
+std::size_t take_stored_values(const std::vector<Problem>& problems,
+                               const std::filesystem::path& store,
+                               const std::filesystem::path& file);
+
+}  // namespace ricochet::studies::best_values

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/machine.h"
+#include "src/report/json.h"
+#include "src/studies/calibration/fit.h"
+
+namespace ricochet::studies::calibration {
+
+/// Returns the collision count of a case over the speed, for an interpretation and its parameters.
+/// Refers to both.
+carrier_track::CountAt counts_of(const carrier_track::Case& a_case,
+                                 const carrier_track::Interpretation& interpretation,
+                                 const carrier_track::Constants& constants);
+
+/// Those counts at evenly spaced speeds up to 18 rad/s, vectorised if the interpretation allows it.
+carrier_track::SpeedScan scan_of(const carrier_track::Case& a_case,
+                                 const carrier_track::Interpretation& interpretation,
+                                 const carrier_track::Constants& constants, double step);
+
+/// The evaluation of a case: the six parts of its score over evenly spaced speeds.
+struct CaseAppraisal {
+  carrier_track::Case the_case;
+  carrier_track::SpeedScan scan;
+  carrier_track::Score score;
+};
+
+/// The counts of a case at any speed.
+using CountsOfCase = std::function<carrier_track::CountAt(const carrier_track::Case&)>;
+
+/// Evaluates C1..C12 with any counts at speeds `step` [rad/s] apart up to 18 rad/s, in parallel.
+std::vector<CaseAppraisal> judged(const CountsOfCase& counts, double step);
+
+/// The evaluation of a fit over all cases, in the terms of the paper.
+struct Appraisal {
+  std::vector<CaseAppraisal> cases;  ///< C1..C12
+  double threshold_error = 0;        ///< root mean square of ln(threshold / paper)
+  double worst_threshold = 0;        ///< largest |ln|
+  int within = 0;                    ///< thresholds within 5 % of the paper's
+  int exact_counts = 0;              ///< quiet counts that equal the paper's
+  double purity = 1;                 ///< lowest of C1..C10
+  double misclassified = 0;          ///< highest of C1..C10
+  double loudness = 0;               ///< lowest of C1..C10
+  int right_examples = 0;            ///< of 20
+  double quiet_share = 0;            ///< speeds at which C11 is as quiet as C4, share in [0, 1]
+  double criterion = 0;              ///< AICc, see below
+};
+
+RICOCHET_WRITTEN_AS_JSON(Appraisal, threshold_error, worst_threshold, within, exact_counts, purity,
+                         misclassified, loudness, right_examples, quiet_share, criterion);
+
+/// Evaluates at speeds `step` [rad/s] apart, up to 18 rad/s.
+///
+/// The criterion weighs the error against the number of fitted parameters k (Hurvich and Tsai 1989,
+/// doi:10.1093/biomet/76.2.297): with the n = 20 errors ln(threshold / paper) and ln(quiet count /
+/// paper), n ln(mean square) + 2 p + 2 p (p + 1) / (n - p - 1), p = k + 1. Lower is better; from k
+/// = 18 on it is infinite: such a fit is overfitted.
+Appraisal appraise(const Fit& fit, double step);
+
+/// The same from evaluated cases C1..C12, whatever produced the counts, with this number of fitted
+/// parameters.
+Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants);
+
+/// The criterion alone. A mean square below 1e-6 counts as 1e-6: no count or threshold of the paper
+/// has more digits.
+double selection_criterion(double sum_of_squares, int errors, int constants);
+
+/// Sensitivity of a case's thresholds to the parameters.
+struct CaseSensitivity {
+  std::string case_id;
+  /// For each free parameter: d ln(threshold) / d ln(parameter), or per unit for a parameter whose
+  /// bounds are not logarithmic (an angle: per radian; others: per width of the bounds). Nothing if
+  /// a threshold is missing on either side.
+  std::vector<std::optional<double>> slopes;
+};
+
+/// Central differences over 2 % of the parameter, or of the width of its bounds, with thresholds
+/// from speeds `step` [rad/s] apart. C1..C10.
+std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step);
+
+/// Profile of the loss over a parameter: how far it can move, in steps that double, before the
+/// loss, with the other free parameters fitted again, has risen by one, i.e. by one tolerance of
+/// one part of one case.
+struct Profile {
+  carrier_track::Unknown constant;
+  double value;
+  double lower, upper;          ///< the nearest values tried at which it has risen
+  bool lower_open, upper_open;  ///< no value on that side reached it: the bound limits it
+  std::vector<std::pair<double, double>> points;  ///< value and loss, by rising value
+};
+
+/// Returns the profile of every free parameter. `search.local` fits the others, with
+/// search.evaluations at each point.
+std::vector<Profile> profiles(const Fit& fit, const Search& search);
+
+}  // namespace ricochet::studies::calibration

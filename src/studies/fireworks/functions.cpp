@@ -1,0 +1,148 @@
+#include "src/studies/fireworks/functions.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "solvers/fireworks/fireworks.h"
+#include "src/studies/fireworks/study.h"
+
+namespace ricochet::studies::fireworks {
+
+namespace {
+
+using Function = double (*)(const Vector&);
+
+double sphere(const Vector& x) {
+  return x.squaredNorm();
+}
+
+double rosenbrock(const Vector& x) {
+  const Eigen::Index m = x.size() - 1;
+  return (100 * (x.tail(m).array() - x.head(m).array().square()).square() +
+          (x.head(m).array() - 1).square())
+      .sum();
+}
+
+double rastrigin(const Vector& x) {
+  return (x.array().square() - 10 * (2 * std::numbers::pi * x.array()).cos() + 10).sum();
+}
+
+double griewank(const Vector& x) {
+  double product = 1;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    product *= std::cos(x[i] / std::sqrt(static_cast<double>(i + 1)));
+  }
+  return 1 + x.squaredNorm() / 4000 - product;
+}
+
+double ellipse(const Vector& x) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double place = static_cast<double>(i) / static_cast<double>(x.size() - 1);
+    sum += std::pow(1e4, place) * x[i] * x[i];
+  }
+  return sum;
+}
+
+double cigar(const Vector& x) {
+  return x[0] * x[0] + 1e4 * x.tail(x.size() - 1).squaredNorm();
+}
+
+double tablet(const Vector& x) {
+  return 1e4 * x[0] * x[0] + x.tail(x.size() - 1).squaredNorm();
+}
+
+double schwefel(const Vector& x) {
+  return ((x[0] - x.array().square()).square() + (x.array() - 1).square()).sum();
+}
+
+double ackley(const Vector& x) {
+  const double n = static_cast<double>(x.size());
+  const double waves = (2 * std::numbers::pi * x.array()).cos().sum() / n;
+  return 20 + std::numbers::e - 20 * std::exp(-0.2 * std::sqrt(x.squaredNorm() / n)) -
+         std::exp(waves);
+}
+
+Problem on_the_box(std::string name, Eigen::Index n) {
+  Problem problem;
+  problem.name = std::move(name);
+  problem.source = "Tan and Zhu 2010";
+  problem.lower = Vector::Constant(n, -100);
+  problem.upper = Vector::Constant(n, 100);
+  problem.start = Vector::Constant(n, 40);
+  return problem;
+}
+
+}  // namespace
+
+Problem benchmark_function(const std::string& name, Eigen::Index n) {
+  static const std::map<std::string, Function> functions = {
+      {"Sphere", sphere},     {"Rosenbrock", rosenbrock}, {"Rastrigin", rastrigin},
+      {"Griewank", griewank}, {"Ellipse", ellipse},       {"Cigar", cigar},
+      {"Tablet", tablet},     {"Schwefel", schwefel},     {"Ackley", ackley}};
+  Problem problem = on_the_box(name, n);
+  problem.evaluate = [function = functions.at(name)](const Vector& x) {
+    return Values{function(x), {}};
+  };
+  return problem;
+}
+
+Problem shifted_sphere(double shift, Eigen::Index n) {
+  Problem problem = on_the_box("shifted sphere", n);
+  problem.evaluate = [shift](const Vector& x) {
+    return Values{(x.array() - shift).square().sum(), {}};
+  };
+  return problem;
+}
+
+namespace {
+
+using report::Json;
+
+constexpr Eigen::Index dimension = 30;
+constexpr std::int64_t evaluations = 10'000;
+
+/// An optimum at more than this distance from the origin is far; a solver that is much worse there
+/// is biased.
+constexpr double far = 30;
+constexpr double much = 100;
+
+}  // namespace
+
+Json shift_data(int runs) {
+  const Json& table = published()["shift"];
+  const std::vector<Solver> members = ricochet::fireworks::family();
+  std::vector<Entry> entries;
+  for (const Solver& member : members) {
+    for (const Json& row : table["rows"]) {
+      const Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
+      entries.push_back({member, [problem] { return problem; }});
+    }
+  }
+  const auto errors = errors_of(entries, evaluations, runs, "shifted sphere");
+  Json data = {
+      {"source", table["source"]}, {"evaluations", evaluations}, {"runs", runs},
+      {"shifts", table["rows"]},   {"solvers", Json::array()},   {"biased", Json::array()}};
+  std::size_t next = 0;
+  for (const Solver& member : members) {
+    Json cells = Json::array();
+    for (const Json& row : table["rows"]) {
+      Json cell = moments_of(errors[next++]);
+      cell["shift"] = row["shift"];
+      cells.push_back(std::move(cell));
+    }
+    double worst_far = 0;
+    for (const Json& cell : cells) {
+      if (cell["shift"].get<double>() >= far) {
+        worst_far = std::max(worst_far, cell["mean"].get<double>());
+      }
+    }
+    const bool biased = worst_far > much * cells[0]["mean"].get<double>();
+    if (biased) data["biased"].push_back(member.name);
+    data["solvers"].push_back({{"solver", member.name}, {"fair", !biased}, {"cells", cells}});
+  }
+  return data;
+}
+
+}  // namespace ricochet::studies::fireworks

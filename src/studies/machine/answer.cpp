@@ -1,0 +1,416 @@
+#include "src/studies/machine/answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
+#include "src/studies/machine/design_parameters.h"
+#include "src/studies/machine/regime_tables.h"
+
+namespace ricochet::carrier_track {
+
+RICOCHET_WRITTEN_AS_JSON(Level, from, to, low, typical, high);
+
+}  // namespace ricochet::carrier_track
+
+namespace ricochet::studies::advice {
+
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+
+constexpr int drawn_machines = 200;
+
+std::string text_of(const Limit& limit) {
+  switch (limit.measure) {
+    case Measure::collisions:
+      return fmt::format("at most {} collisions in the window", limit.at_most);
+    case Measure::collisions_per_turn:
+      return limit.at_most == quiet_per_turn
+                 ? "at most 2 collisions a turn, one with each wall"
+                 : fmt::format("at most {} collisions a turn", limit.at_most);
+    case Measure::energy:
+      return fmt::format("at most {} J into the walls in the window", limit.at_most);
+    case Measure::impact_speed:
+      return fmt::format("no impact faster than {} m/s", limit.at_most);
+  }
+  return "";
+}
+
+const char* key_of(Measure measure) {
+  switch (measure) {
+    case Measure::collisions:
+      return "collisions";
+    case Measure::collisions_per_turn:
+      return "collisions_per_turn";
+    case Measure::energy:
+      return "energy";
+    case Measure::impact_speed:
+      return "impact_speed";
+  }
+  return "";
+}
+
+std::string text_of(const CountThere& there) {
+  return fmt::format("{:.3f} rad/s: {} collisions, {:.3g} a turn, {}", there.omega, there.count,
+                     there.per_turn,
+                     there.certain ? "certain" : "not certain (" + there.doubt + ")");
+}
+
+std::string text_of(const ToleranceRange& range) {
+  return fmt::format(
+      "{} machines divide between {} and {}{}", range.machines - range.without,
+      both_units(range.lowest), both_units(range.highest),
+      range.without == 0
+          ? ""
+          : fmt::format("; {} not within two thirds and three halves of the speed", range.without));
+}
+
+std::string text_of(const UncertainDivide& uncertain) {
+  std::string text = fmt::format(
+      "With the uncertainties of the file, each uniform within its plus_minus, {}.\n"
+      "To first order they move the divide by up to {:.3f} rad/s:",
+      text_of(uncertain.range), uncertain.first_order);
+  for (const auto& [key, change] : uncertain.effects) {
+    text += fmt::format(" {} {:+.3f};", key, change);
+  }
+  text.back() = '.';
+  return text + "\n";
+}
+
+Json json_of(const ToleranceRange& range) {
+  return {{"lowest", range.lowest},
+          {"highest", range.highest},
+          {"machines", range.machines},
+          {"without", range.without > 0 ? Json(range.without) : Json()}};
+}
+
+/// The speeds on both sides of the answer.
+std::vector<double> speeds_beside(const QuietSpeed& answer) {
+  std::vector<double> speeds;
+  for (const auto& speed : {answer.fastest_quiet, answer.split.first_loud}) {
+    if (speed) speeds.push_back(*speed);
+  }
+  return speeds;
+}
+
+/// Why there is no fastest quiet speed; null if there is one.
+Json reason_of(const QuietSpeed& answer) {
+  if (answer.fastest_quiet) return {};
+  if (answer.loud_everywhere) return "loud at every speed";
+  if (answer.split.first_loud) return "loud from the slowest speed on";
+  if (answer.reached) return "the time limit was reached";
+  return "the count makes no step";
+}
+
+std::string text_of_steps(const QuietSpeed& answer) {
+  if (answer.staircase.steps.empty()) {
+    return "The staircase has no step by half or more.\n";
+  }
+  const double main = answer.staircase.main_step()->omega;
+  std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
+  for (const Step& step : answer.staircase.steps) {
+    text += fmt::format(
+        "  {}: from at most {} to at least {} collisions; holds from {:.2f} to {:.2f} times it{}\n",
+        both_units(step.omega), step.below, step.above, 1 / step.reach, step.reach,
+        step.omega == main ? "  <- the most significant" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string known_part_of(const QuietSpeedAnswer& output) {
+  const QuietSpeed& answer = output.answer;
+  std::string known;
+  if (answer.reached && *answer.reached < answer.options.fastest) {
+    if (answer.limit && !answer.split.first_loud) {
+      known = fmt::format("up to {} it is quiet, {}; ", both_units(*answer.reached),
+                          text_of(*answer.limit));
+    }
+    known += fmt::format("nothing is known from {:.6g} to {} rad/s", *answer.reached,
+                         answer.options.fastest);
+  } else if (answer.reached) {
+    known = "the speeds are scanned, but not all that is said of them";
+  }
+  if (!output.left_out.empty()) {
+    known +=
+        fmt::format("{}left out: {}", known.empty() ? "" : "; ", fmt::join(output.left_out, ", "));
+  }
+  return known;
+}
+
+std::string headline_of(const QuietSpeedAnswer& output) {
+  const QuietSpeed& answer = output.answer;
+  const std::string range = fmt::format("up to {} rad/s", answer.options.fastest);
+  if (answer.reached && !answer.fastest_quiet && !answer.split.first_loud) {
+    return fmt::format("{}: the fastest quiet speed is not known: {}.", output.name,
+                       known_part_of(output));
+  }
+  if (!answer.limit) {
+    const auto& level = answer.staircase.levels.front();
+    return fmt::format(
+        "{}: there is no threshold {}: the count, {} to {}, makes no step by half or more. Say how "
+        "much is too much: --allow, --allow-per-turn, --allow-energy or --allow-speed.",
+        output.name, range, level.low, level.high);
+  }
+  if (!answer.split.first_loud) {
+    return fmt::format("{}: every speed {} is quiet: {}.", output.name, range,
+                       text_of(*answer.limit));
+  }
+  if (answer.loud_everywhere) {
+    return fmt::format("{}: loud at every speed {}: {} is exceeded everywhere.", output.name, range,
+                       text_of(*answer.limit));
+  }
+  if (!answer.fastest_quiet) {
+    return fmt::format("{}: no speed is quiet: {} is broken at {} already.", output.name,
+                       text_of(*answer.limit), both_units(*answer.split.first_loud));
+  }
+  return fmt::format("{}: the fastest quiet speed is {}: {}.", output.name,
+                     both_units(*answer.fastest_quiet), text_of(*answer.limit));
+}
+
+std::optional<double> rounded(const std::optional<double>& speed) {
+  return speed ? std::optional(std::round(*speed * 1e9) / 1e9) : std::nullopt;
+}
+
+QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
+                                    const QuietSpeedOptions& options, double tolerance,
+                                    const SceneFile& file) {
+  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {},
+                          {},   {}};
+  const QuietSpeed& answer = output.answer;
+  const auto in_time = [&](const char* part, const auto& compute) {
+    try {
+      compute();
+    } catch (const TimeLimitReached&) {
+      output.left_out.emplace_back(part);
+    }
+  };
+  if (!answer.is_of_the_long_run()) {
+    in_time("share of the start",
+            [&] { output.start = largest_start_share(scene, speeds_beside(answer)); });
+  }
+  if (!answer.limit || !answer.split.speed) return output;
+  const Limit& limit = *answer.limit;
+  const double divide = *answer.split.speed;
+  in_time("sensitivities", [&] { output.sensitivities = sensitivities(scene, limit, divide); });
+  if (tolerance > 0) {
+    in_time("tolerance", [&] {
+      output.range = tolerance_range(scene, limit, divide, tolerance, drawn_machines, 1);
+    });
+  }
+  in_time("uncertainties",
+          [&] { output.uncertain = uncertain_divide(file, limit, divide, drawn_machines, 1); });
+  return output;
+}
+
+std::string text_of(const QuietSpeedAnswer& output) {
+  const QuietSpeed& answer = output.answer;
+  std::string text = headline_of(output) + "\n";
+  if (!output.is_complete()) text += "Not complete: " + known_part_of(output) + ".\n";
+  if (answer.is_of_the_long_run()) {
+    text += fmt::format("In the long run: {}.\n{}", summary_of(answer.regimes),
+                        text_of(answer.regimes, answer.split.first_loud));
+  } else if (answer.split.speed) {
+    text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
+  }
+  text += text_of(output.sampled);
+  for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
+  if (!answer.is_of_the_long_run() && !answer.reached) text += text_of_steps(answer);
+  if (!answer.options.limit && !answer.staircase.steps.empty()) {
+    text +=
+        "Significance is how much louder times how long both levels last, on logarithmic axes; no "
+        "speed beyond twice a step changes it, so that the end of the range does not matter.\n";
+  }
+  if (!output.sensitivities.empty()) {
+    text += "One percent more moves this speed by:";
+    for (const Sensitivity& s : output.sensitivities) {
+      if (std::abs(s.percent) < 0.005) continue;
+      text += fmt::format(" {} {:+.2f} %;", s.key, s.percent);
+    }
+    text.back() = '.';
+    text += "\n";
+  }
+  if (output.range) {
+    text += fmt::format("With every constant uncertain by {:.3g} %, {}.\n", 100 * output.tolerance,
+                        text_of(*output.range));
+  }
+  if (output.uncertain) text += text_of(*output.uncertain);
+  text += notes_on(output.scene, output.start);
+  return text;
+}
+
+report::Json json_of(const QuietSpeedAnswer& output) {
+  const QuietSpeed& answer = output.answer;
+  Json steps = Json::array();
+  for (const Step& step : answer.staircase.steps) {
+    steps.push_back({{"omega", rounded(step.omega)},
+                     {"below", step.below},
+                     {"above", step.above},
+                     {"reach", step.reach},
+                     {"significance", step.significance},
+                     {"first_loud", step.first_loud}});
+  }
+  Json around = Json::array();
+  for (const CountThere& there : answer.around) {
+    around.push_back({{"omega", rounded(there.omega)},
+                      {"count", there.count},
+                      {"per_turn", there.per_turn},
+                      {"certain", there.certain}});
+  }
+  Json moves = Json::object();
+  for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
+  Json json = {{"regimes", json_of(answer.regimes)},
+               {"fastest_quiet", rounded(answer.fastest_quiet)},
+               {"fastest_quiet_rpm", Json()},
+               {"limit", Json()},
+               {"steps", steps},
+               {"levels", answer.staircase.levels},
+               {"around", around},
+               {"percent_for_one", moves},
+               {"reason", reason_of(answer)},
+               {"complete", output.is_complete()},
+               {"reached", answer.reached},
+               {"left_out", output.left_out},
+               {"sampled", json_of(output.sampled)},
+               {"with_tolerance", Json()},
+               {"with_uncertainties", Json()}};
+  if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
+  json["release_speed"] = carrier_track::release_speed(output.scene);
+  json["start_collisions"] = output.start ? Json(output.start->of_start) : Json();
+  if (answer.limit) {
+    json["limit"] = {{"measure", key_of(answer.limit->measure)},
+                     {"at_most", answer.limit->at_most}};
+  }
+  if (output.range) {
+    json["with_tolerance"] = {{"tolerance", output.tolerance}};
+    json["with_tolerance"].update(json_of(*output.range));
+  }
+  if (output.uncertain) {
+    Json effects = Json::object();
+    for (const auto& [key, change] : output.uncertain->effects) effects[key] = change;
+    Json& there = json["with_uncertainties"] = json_of(output.uncertain->range);
+    there["first_order"] = output.uncertain->first_order;
+    there["effects"] = effects;
+  }
+  return json;
+}
+
+namespace {
+
+int count_in(const Scene& scene) {
+  return static_cast<int>(std::lround(measured(scene, Measure::collisions)));
+}
+
+constexpr double later_turns = 10;
+
+/// The scene with a longer window, by a ratio.
+Scene with_longer_window(Scene scene, double ratio) {
+  std::visit([ratio](auto& window) { window.count *= ratio; }, scene.window);
+  return scene;
+}
+
+/// The formula of release_speed(), as far as it is one.
+std::string release_formula(const Scene& scene) {
+  const bool constant_pull = !scene.pull_rotates && scene.centrifugal == Centrifugal::projected;
+  if (!constant_pull || (scene.disturbance != 0 && scene.disturbance_frequency == 0)) {
+    return "the swing of the applied force is then as large as its steady part and friction";
+  }
+  std::string force = "friction normal_force";
+  if (scene.pull != 0) force += " + |pull|";
+  if (scene.disturbance != 0) force += " - |disturbance|";
+  const bool is_sum = scene.pull != 0 || scene.disturbance != 0;
+  return fmt::format("sqrt({} / {})", is_sum ? "(" + force + ")" : force,
+                     scene.slider_mass_radius == 0
+                         ? "centrifugal_mass_radius"
+                         : "|centrifugal_mass_radius - slider_mass_radius|");
+}
+
+}  // namespace
+
+std::string both_units(double omega) {
+  return fmt::format("{:.3f} rad/s ({:.2f} rpm)", omega, omega * rpm);
+}
+
+StartShare start_share(const Scene& scene, double omega) {
+  const Scene there = at_speed(scene, omega);
+  const double turns = turns_of(there);
+  const int count = count_in(there);
+  const int later = count_in(with_longer_window(there, (turns + later_turns) / turns)) - count;
+  const double of_motion = later * turns / later_turns;
+  return {omega, turns, count,
+          std::clamp(static_cast<int>(std::lround(count - of_motion)), 0, count)};
+}
+
+std::optional<StartShare> largest_start_share(const Scene& scene,
+                                              const std::vector<double>& speeds) {
+  std::optional<StartShare> largest;
+  for (const double omega : speeds) {
+    const StartShare share = start_share(scene, omega);
+    if (!largest || share.of_start > largest->of_start) largest = share;
+  }
+  return largest;
+}
+
+std::string notes_on(const Scene& scene, const std::optional<StartShare>& share) {
+  std::string text;
+  if (scene.restitution_lower != scene.restitution_upper) {
+    text += fmt::format("Restitution is {} at the lower wall and {} at the upper.\n",
+                        scene.restitution_lower, scene.restitution_upper);
+  }
+  const std::optional<double> release = release_speed(scene);
+  if (scene.friction * scene.normal_force > 0 && release != 0.0) {
+    text += release ? fmt::format("By hand: friction holds the carrier up to {}: {}.\n",
+                                  both_units(*release), release_formula(scene))
+                    : "By hand: friction and the steady force hold the carrier at every speed.\n";
+  }
+  if (share && share->dominates()) {
+    text += fmt::format(
+        "The window of {:.3g} turns is short: {} of its {} collisions at {} are the start's, and "
+        "do not come again. Take a longer window.\n",
+        share->turns, share->of_start, share->count, both_units(share->omega));
+  }
+  return text;
+}
+
+namespace {
+
+constexpr double long_window = 30;  // turns
+
+}  // namespace
+
+Json model_choice(const Scene& scene, const QuietSpeed& answer) {
+  const double omega = answer.fastest_quiet.value_or(answer.options.fastest);
+  const bool needed = couples(at_speed(scene, omega));
+  Json choice = {{"across", scene.across.has_value()},
+                 {"needed", needed},
+                 {"omega", omega},
+                 {"along", Json()},
+                 {"planar", Json()}};
+  const auto scan = coarse_scan(scene, answer);
+  if (!needed || !scan) return choice;
+  for (const auto& [key, fidelity] :
+       {std::pair{"along", Fidelity::impact}, std::pair{"planar", Fidelity::planar}}) {
+    Scene at_level = scene;
+    at_level.fidelity = fidelity;
+    Limit limit = *answer.limit;
+    if (answer.is_of_the_long_run()) {
+      // The planar model has no regimes: both levels count in a window in which the start matters
+      // little.
+      at_level.window = Revolutions{long_window};
+      limit = {Measure::collisions, long_window * (limit.at_most + 0.5)};
+    }
+    choice[key] = {{"quiet", quiet_range(at_level, limit, *scan).quiet}};
+  }
+  return choice;
+}
+
+}  // namespace ricochet::studies::advice

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/regimes/regime_map.h"
+#include "problems/carrier_track/regimes/sampled_turns.h"
+#include "ricochet/machine.h"
+#include "src/report/json.h"
+#include "src/studies/machine/charts.h"
+
+/// The regimes of a machine as text and data.
+namespace ricochet::studies::advice {
+
+/// Without those that are less than 1 % of the speed wide and lie between wider ones: they are one
+/// border to the eye.
+std::vector<carrier_track::Regime> without_narrow(
+    const std::vector<carrier_track::Regime>& regimes);
+
+/// "2", or "1 to 4" where turns differ.
+std::string counts_of(const carrier_track::Regime& regime);
+
+/// "silent up to 1.447 rad/s (13.82 rpm), at most 2 collisions a turn up to 8.079 rad/s (77.15
+/// rpm), at most 4 collisions a turn beyond": the first few levels; silence and the usual limit
+/// always.
+std::string summary_of(const std::vector<carrier_track::Regime>& regimes);
+
+/// The table with its header, without narrow regimes; the row that ends at `marked` [rad/s] is
+/// marked.
+std::string text_of(const std::vector<carrier_track::Regime>& regimes,
+                    std::optional<double> marked);
+
+/// All regimes; energies, speeds and shares are those at the fast end.
+report::Json json_of(const std::vector<carrier_track::Regime>& regimes);
+
+/// A table, with a sentence on what it is; empty if there is none.
+std::string text_of(const std::vector<carrier_track::SampledTurns>& sampled);
+
+report::Json json_of(const std::vector<carrier_track::SampledTurns>& sampled);
+
+// The borders of a machine over a constant, as text and data.
+
+/// A row for each border of the machine itself, with its speed at a few values of the constant; and
+/// where a border ends. Borders less than 1 % of the speed apart are one.
+std::string text_of(const carrier_track::RegimeMap& map, const ShownUnit& unit);
+
+/// All points of all borders, in SI units.
+report::Json json_of(const carrier_track::RegimeMap& map);
+
+/// The same as a table, with a header: a line for each point.
+std::string csv_of(const carrier_track::RegimeMap& map);
+
+}  // namespace ricochet::studies::advice

@@ -1,0 +1,370 @@
+#include "src/studies/paper/interpretation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "embedded/default_interpretation_text.h"
+#include "problems/carrier_track/scene/toml_table.h"
+#include "ricochet/error.h"
+#include "src/core/toml.h"
+#include "src/studies/paper/theory.h"
+
+namespace ricochet::carrier_track::inline paper {
+
+namespace {
+
+const EnumNames<Tension> tensions = {
+    {"constant", Tension::constant}, {"rotating", Tension::rotating}, {"phased", Tension::phased}};
+const EnumNames<WindowUnit> units = {{"revolutions", WindowUnit::revolutions},
+                                     {"seconds", WindowUnit::seconds}};
+const EnumNames<DisturbanceKind> disturbances = {
+    {"force", DisturbanceKind::force},
+    {"acceleration", DisturbanceKind::acceleration},
+    {"disturbance-frequency", DisturbanceKind::frequency},
+    {"disturbance-phase", DisturbanceKind::phase}};
+const EnumNames<NormalForce> normal_forces = {{"constant", NormalForce::constant},
+                                              {"weight", NormalForce::weight},
+                                              {"contact-friction", NormalForce::contact}};
+const EnumNames<Transition> transitions = {{"plain", Transition::plain},
+                                           {"crossing", Transition::crossing}};
+const EnumNames<Recovery> recoveries = {{"restitution", Recovery::restitution},
+                                        {"hunt-crossley", Recovery::hunt_crossley},
+                                        {"contact-speed", Recovery::contact_speed}};
+const EnumNames<Rule> rules = {
+    {"impacts", Rule::impacts}, {"peaks-1mm", Rule::peaks_1mm}, {"peaks-0.1mm", Rule::peaks_100um}};
+const EnumNames<Base> bases = {{"base-0.6kg", Base::remainder}, {"base-1.2kg", Base::spindle}};
+
+/// Calls `use(question, choices, member)` for every question after forcing, tension and window.
+template <class Use>
+void for_each_further_question(Use use) {
+  use("the disturbance is", disturbances, &Interpretation::disturbance);
+  use("friction multiplies", normal_forces, &Interpretation::normal_force);
+  use("the path is", transitions, &Interpretation::transition);
+  use("the recovery coefficient is", recoveries, &Interpretation::recovery);
+  use("what counts", rules, &Interpretation::rule);
+  use("the mass of the base", bases, &Interpretation::base);
+}
+
+}  // namespace
+
+std::string name_of(const Interpretation& interpretation) {
+  std::string name =
+      fmt::format("{}-{}-{}", name_of(centrifugal_names(), interpretation.forcing),
+                  name_of(tensions, interpretation.tension), name_of(units, interpretation.window));
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+    if (interpretation.*member != choices.front().second) {
+      name += fmt::format("-{}", name_of(choices, interpretation.*member));
+    }
+  });
+  return name;
+}
+
+std::string description_of(const Interpretation& interpretation) {
+  std::string text = interpretation.forcing == Centrifugal::projected
+                         ? "centrifugal force projected on x"
+                         : fmt::format("centrifugal force always {}",
+                                       name_of(centrifugal_names(), interpretation.forcing));
+  switch (interpretation.tension) {
+    case Tension::constant:
+      text += ", constant tension";
+      break;
+    case Tension::rotating:
+      text += ", tension that turns with the plate";
+      break;
+    case Tension::phased:
+      text += ", tension that turns ahead of the plate";
+      break;
+  }
+  text += fmt::format(", a fixed number of {}", name_of(units, interpretation.window));
+  switch (interpretation.disturbance) {
+    case DisturbanceKind::force:
+      break;
+    case DisturbanceKind::acceleration:
+      text += ", disturbance an acceleration";
+      break;
+    case DisturbanceKind::frequency:
+      text += ", disturbance of another frequency";
+      break;
+    case DisturbanceKind::phase:
+      text += ", disturbance of another phase";
+      break;
+  }
+  if (interpretation.normal_force == NormalForce::weight) text += ", friction on the weight";
+  if (interpretation.normal_force == NormalForce::contact)
+    text += ", friction on a wall's own force too";
+  if (interpretation.transition == Transition::crossing) text += ", straight crossings";
+  if (interpretation.recovery == Recovery::hunt_crossley) text += ", Hunt-Crossley's c";
+  if (interpretation.recovery == Recovery::contact_speed) {
+    text += ", Hunt-Crossley's c with one contact speed";
+  }
+  if (interpretation.rule == Rule::peaks_1mm) text += ", peaks from 3 mm on or up to 1 mm count";
+  if (interpretation.rule == Rule::peaks_100um)
+    text += ", peaks from 3 mm on or up to 0.1 mm count";
+  if (interpretation.base == Base::spindle) text += ", a base of 1.2 kg";
+  return text;
+}
+
+std::vector<Answer> answers_of(const Interpretation& interpretation) {
+  std::vector<Answer> answers = {
+      {"the centrifugal force is",
+       std::string(name_of(centrifugal_names(), interpretation.forcing))},
+      {"the tension is", std::string(name_of(tensions, interpretation.tension))},
+      {"the window is a number of", std::string(name_of(units, interpretation.window))}};
+  for_each_further_question([&](const char* question, const auto& choices, auto member) {
+    answers.push_back({question, std::string(name_of(choices, interpretation.*member))});
+  });
+  return answers;
+}
+
+std::vector<Interpretation> core_interpretations() {
+  std::vector<Interpretation> interpretations;
+  for (const auto& [window_name, window] : units) {
+    for (const auto& [forcing_name, forcing] : centrifugal_names()) {
+      for (const auto& [tension_name, tension] : tensions) {
+        Interpretation& interpretation = interpretations.emplace_back();
+        interpretation.forcing = forcing;
+        interpretation.tension = tension;
+        interpretation.window = window;
+      }
+    }
+  }
+  return interpretations;
+}
+
+std::vector<Interpretation> variations(const Interpretation& interpretation) {
+  std::vector<Interpretation> interpretations;
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+    for (const auto& [name, answer] : choices) {
+      if (answer == interpretation.*member) continue;
+      interpretations.push_back(interpretation);
+      interpretations.back().*member = answer;
+    }
+  });
+  return interpretations;
+}
+
+Interpretation find_interpretation(const std::string& name) {
+  std::string known;
+  for (const Interpretation& core : core_interpretations()) {
+    const std::string core_name = name_of(core);
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", core_name);
+    if (!name.starts_with(core_name)) continue;
+    Interpretation interpretation = core;
+    std::string rest = name.substr(core_name.size());
+    for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+      for (const auto& [answer_name, answer] : choices) {
+        const std::string suffix = fmt::format("-{}", answer_name);
+        if (!rest.starts_with(suffix) || answer == choices.front().second) continue;
+        interpretation.*member = answer;
+        rest.erase(0, suffix.size());
+        break;
+      }
+    });
+    if (rest.empty()) return interpretation;
+  }
+  std::string answers;
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+    for (const auto& choice : choices) {
+      if (choice.second != Interpretation{}.*member) answers += fmt::format(" -{}", choice.first);
+    }
+  });
+  throw InputError(fmt::format(
+      "--interpretation {}: there is no such interpretation; allowed: {}; and each with "
+      "one of{}",
+      name, known, answers));
+}
+
+double value_at(const UnknownParameter& c, double share) {
+  if (c.logarithmic) return c.lower * std::pow(c.upper / c.lower, share);
+  return c.lower + share * (c.upper - c.lower);
+}
+
+double share_of(const UnknownParameter& c, double value) {
+  const double share = c.logarithmic ? std::log(value / c.lower) / std::log(c.upper / c.lower)
+                                     : (value - c.lower) / (c.upper - c.lower);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+const std::vector<UnknownParameter>& unknown_parameters() {
+  constexpr double turn = 2 * std::numbers::pi;
+  static const std::vector<UnknownParameter> constants = {
+      {"pull", "N", 0.01, 40, true, 0.01,
+       "a yarn is braided under some newtons; drawn straight across the track, it has none along "
+       "x"},
+      {"normal_force", "N", 0.01, 60, true, 1.2 * gravity,
+       "to five times the weight m g, which is natural"},
+      {"centrifugal_mass_radius", "kg m", 0.01, 2.4, true, 0.078,
+       "1.2 kg from a slider's arm, 8 mm, to the radius of a machine, 2 m; m r_c is natural"},
+      {"clearance", "m", 5e-5, 1e-2, true, 2e-3,
+       "from a tight fit to the play of a worn track; 2 mm lie between the limits of (33)"},
+      {"start_share", "", 0, 1, false, 0.5, "of the clearance; in the middle is natural"},
+      {"start_velocity", "m/s", -0.6, 0.6, false, 0.0,
+       "no faster than the carrier goes round at 9 rad/s; at rest is natural"},
+      {"phase", "rad", 0, turn, false, 0.0, "any angle; (31) starts at 0"},
+      {"revolutions", "turns", 0.3, 4, true, 1.0, "from a part of a turn to some; one is natural"},
+      {"seconds", "s", 0.3, 8, true, turn, "as long as a turn at 0.8 to 20 rad/s; at 1 rad/s"},
+      {"counting_limit", "m/s", 1e-7, 0.2, true, std::nullopt,
+       "from what a computation resolves to what is heard"},
+      {"pull_phase", "rad", 0, turn, false, 0.0, "any angle"},
+      {"disturbance_frequency", "rad/s", 0.3, 60, true, 1.0,
+       "from the slowest to the fastest shaft; the paper's is 1"},
+      {"disturbance_phase", "rad", 0, turn, false, 0.0, "any angle; the paper's is 0"},
+      {"crossing_angle", "rad", 0.05, 0.8, false, 0.4,
+       "of the plate, half a crossing: no crossing is longer than half the half turn"},
+      {"contact_speed", "m/s", 1e-3, 1, true, 0.1, "as fast as impacts are"}};
+  return constants;
+}
+
+std::vector<Unknown> unknowns_of(const Interpretation& interpretation) {
+  const bool impacts = interpretation.rule == Rule::impacts;
+  const auto used = [&](Unknown open) {
+    switch (open) {
+      case Unknown::normal_force:
+        return interpretation.normal_force != NormalForce::weight;
+      case Unknown::revolutions:
+        return interpretation.window == WindowUnit::revolutions;
+      case Unknown::seconds:
+        return interpretation.window == WindowUnit::seconds;
+      case Unknown::counting_limit:
+        return impacts;
+      case Unknown::pull_phase:
+        return interpretation.tension == Tension::phased;
+      case Unknown::disturbance_frequency:
+        return interpretation.disturbance == DisturbanceKind::frequency;
+      case Unknown::disturbance_phase:
+        return interpretation.disturbance == DisturbanceKind::phase;
+      case Unknown::crossing_angle:
+        return interpretation.transition == Transition::crossing;
+      case Unknown::contact_speed:
+        return interpretation.recovery == Recovery::contact_speed;
+      default:
+        return true;
+    }
+  };
+  std::vector<Unknown> open;
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    if (used(static_cast<Unknown>(i))) open.push_back(static_cast<Unknown>(i));
+  }
+  return open;
+}
+
+bool contains(const std::vector<Unknown>& constants, Unknown constant) {
+  return std::find(constants.begin(), constants.end(), constant) != constants.end();
+}
+
+Constants natural_constants() {
+  Constants constants{};
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    const UnknownParameter& c = unknown_parameters()[i];
+    const bool searched = !c.natural || (c.logarithmic && *c.natural == c.lower);
+    constants[i] = searched ? std::sqrt(c.lower * c.upper) : *c.natural;
+  }
+  return constants;
+}
+
+Scene scene_at(const Scene& scene, const Interpretation& interpretation, const Constants& constants,
+               double omega) {
+  Scene result = at_speed(scene, omega);
+  if (interpretation.transition == Transition::crossing) {
+    const double turns = interpretation.window == WindowUnit::revolutions
+                             ? std::get<Revolutions>(scene.window).count
+                             : omega * std::get<Seconds>(scene.window).count / 6.0;
+    result.profile = crossing_profile(
+        omega, constants[static_cast<std::size_t>(Unknown::crossing_angle)], turns);
+  }
+  return result;
+}
+
+namespace {
+
+/// Default speed of a scene: the quiet one of the paper's Figure 5 [rad/s].
+constexpr double usual_speed = 3.0;
+
+}  // namespace
+
+bool is_one_scene(const Interpretation& interpretation) {
+  return interpretation.transition == Transition::plain &&
+         interpretation.recovery == Recovery::restitution &&
+         interpretation.disturbance != DisturbanceKind::acceleration;
+}
+
+FittedInterpretation fitted_interpretation(const Interpretation& interpretation,
+                                           const Constants& constants, std::vector<Unknown> free,
+                                           std::string provenance, const std::string& origin) {
+  if (!is_one_scene(interpretation)) {
+    throw InputError(
+        fmt::format("{}: interpretation = {}: must be one whose cases differ in restitution, "
+                    "friction and disturbance alone",
+                    origin, name_of(interpretation)));
+  }
+  FittedInterpretation fitted{interpretation,
+                              constants,
+                              std::move(free),
+                              std::move(provenance),
+                              name_of(interpretation),
+                              description_of(interpretation),
+                              scene_of(find_case("C1"), interpretation, constants)};
+  fitted.scene.omega = usual_speed;
+  return fitted;
+}
+
+FittedInterpretation parse_fitted_interpretation(const std::string& text,
+                                                 const std::string& origin) {
+  const toml::table file = parse_toml(text, origin);
+  const auto name = file["interpretation"].value<std::string>();
+  const auto provenance = file["provenance"].value<std::string>();
+  if (!name || !provenance) {
+    throw InputError(origin + ": interpretation and provenance must be there, as texts");
+  }
+  const Interpretation interpretation = find_interpretation(*name);
+  Constants constants = natural_constants();
+  std::vector<Unknown> free;
+  Uncertain uncertain;
+  TomlTable fitted(file, "fitted", origin, uncertain);
+  TomlTable fixed(file, "fixed", origin, uncertain);
+  std::vector<std::string> names;
+  for (const Unknown open : unknowns_of(interpretation)) {
+    const auto i = static_cast<std::size_t>(open);
+    const UnknownParameter& c = unknown_parameters()[i];
+    names.emplace_back(c.name);
+    const bool is_fitted = fitted.has(c.name);
+    if (is_fitted == fixed.has(c.name)) {
+      throw InputError(
+          fmt::format("{}: {} must be in one of [fitted] and [fixed]", origin, c.name));
+    }
+    if (is_fitted) free.push_back(open);
+    (is_fitted ? fitted : fixed).number({c.name, c.unit}, constants[i]);
+    if (constants[i] < c.lower || constants[i] > c.upper) {
+      throw InputError(fmt::format("{}: {} = {}: must be within {}..{} [{}]", origin, c.name,
+                                   constants[i], c.lower, c.upper, c.unit));
+    }
+  }
+  fitted.refuse_others_than(names);
+  fixed.refuse_others_than(names);
+  return fitted_interpretation(interpretation, constants, std::move(free), *provenance, origin);
+}
+
+std::string write_fitted_interpretation(const FittedInterpretation& fitted) {
+  std::string text =
+      fmt::format("interpretation = \"{}\"\nprovenance = \"{}\"\n", fitted.name, fitted.provenance);
+  for (const bool wanted : {true, false}) {
+    text += wanted ? "\n[fitted]\n" : "\n[fixed]\n";
+    for (const Unknown open : unknowns_of(fitted.interpretation)) {
+      if (contains(fitted.free, open) != wanted) continue;
+      const auto i = static_cast<std::size_t>(open);
+      text += fmt::format("{} = {}  # {}\n", unknown_parameters()[i].name,
+                          toml_float(fitted.constants[i]), unknown_parameters()[i].unit);
+    }
+  }
+  return text;
+}
+
+const FittedInterpretation& default_interpretation() {
+  static const FittedInterpretation interpretation = parse_fitted_interpretation(
+      embedded::default_interpretation_text, "src/research/paper/interpretation.toml");
+  return interpretation;
+}
+
+}  // namespace ricochet::carrier_track::inline paper

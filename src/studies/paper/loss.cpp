@@ -1,0 +1,472 @@
+#include "src/studies/paper/loss.h"
+
+#include <ceres/jet.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
+#include "problems/carrier_track/motion/impact_model.h"
+#include "problems/carrier_track/suite/best_known.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/profile.h"
+#include "problems/carrier_track/suite/speed_problems.h"
+
+namespace ricochet::carrier_track::inline paper {
+
+namespace {
+
+/// Share of the counting limit: a body that rebounds slower may rest.
+constexpr double resting_share = 0.01;
+
+void add_cells(std::vector<SpeedCell>& cells, double from, double to, double width) {
+  const auto size = std::max(1L, std::lround((to - from) / width));
+  const double exact = (to - from) / static_cast<double>(size);
+  for (long k = 0; k < size; ++k) {
+    cells.push_back({from + (static_cast<double>(k) + 0.5) * exact, exact});
+  }
+}
+
+/// The distance over its tolerance; logarithmic beyond 3.
+double tamed(double distance) {
+  return distance < 3 ? distance : 3 + std::log(distance - 2);
+}
+
+double below_claim(double count, int quiet) {
+  return std::log((count + 0.5) / (quiet + 0.5));
+}
+
+double above_claim(double count, int quiet) {
+  return std::max(0.0, std::log(1.6 * quiet / (count + 0.5)));
+}
+
+struct Cell {
+  double omega, width;
+  int count;
+};
+
+double total_width(const std::vector<Cell>& cells) {
+  double sum = 0;
+  for (const Cell& c : cells) sum += c.width;
+  return sum;
+}
+
+/// The count at the most speeds.
+int widest_count(const std::vector<Cell>& cells) {
+  std::map<int, double> widths;
+  for (const Cell& c : cells) widths[c.count] += c.width;
+  return std::max_element(widths.begin(), widths.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+double median_count(std::vector<Cell> cells) {
+  std::sort(cells.begin(), cells.end(),
+            [](const Cell& a, const Cell& b) { return a.count < b.count; });
+  const double half = total_width(cells) / 2;
+  double passed = 0;
+  for (const Cell& c : cells) {
+    passed += c.width;
+    if (passed >= half) return c.count;
+  }
+  return 0;
+}
+
+struct CoarseSplit {
+  double speed, misclassified;
+  std::size_t quiet_cells;  ///< number of cells below
+};
+
+CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
+  double wrong = 0;  // if everything were called loud
+  for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
+  CoarseSplit best{0, wrong, 0};
+  double edge = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Cell& c = cells[k];
+    edge += c.width;
+    wrong += c.count > limit ? c.width : -c.width;
+    if (wrong < best.misclassified - 1e-9) best = {edge, wrong, k + 1};
+  }
+  best.misclassified /= edge;
+  best.speed =
+      std::clamp(best.speed, cells.front().width / 2, fastest_speed - cells.back().width / 2);
+  return best;
+}
+
+/// The counts at some speeds, or most_counted + 1 where they are higher: with most parameters that
+/// a search tries first the carrier has thousands of impacts, which need not all be simulated.
+std::vector<int> counts_by(const Interpretation& interpretation, const Constants& constants,
+                           const Case& a_case, const std::vector<double>& speeds) {
+  const Scene scene = scene_of(a_case, interpretation, constants);
+  std::vector<Scene> scenes;
+  for (const double omega : speeds)
+    scenes.push_back(scene_at(scene, interpretation, constants, omega));
+  std::vector<int> counts;
+  if (std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
+    std::vector<ImpactCount> observers(scenes.size());
+    const auto outcomes = run_in_lanes(
+        scenes.size(),
+        [&](std::size_t k) {
+          observers[k].counting_limit = scenes[k].counting_limit;
+          observers[k].most = most_counted;
+          return ImpactModel<double>(scenes[k], resting_share * scenes[k].counting_limit);
+        },
+        [&](std::size_t k) -> ImpactCount& { return observers[k]; });
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      try {
+        if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+      } catch (const ImpactCount::Enough&) {
+        // Louder than anything in the paper.
+      }
+      counts.push_back(observers[k].count);
+    }
+    return counts;
+  }
+  for (const Scene& at : scenes) {
+    struct Enough {};
+    int& count = counts.emplace_back(0);
+    auto add = [&count](double margin, double /*left*/) {
+      if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
+    };
+    Features<double, decltype(add)> features(at, add);
+    try {
+      simulate_at_needed_fidelity(at, features);
+    } catch (const Enough&) {
+      // The same.
+    }
+  }
+  return counts;
+}
+
+CountsOf counts_by(const Interpretation& interpretation, const Constants& constants) {
+  return [&](const Case& a_case, const std::vector<double>& speeds) {
+    return counts_by(interpretation, constants, a_case, speeds);
+  };
+}
+
+std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
+  std::vector<double> speeds;
+  for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
+  return speeds;
+}
+
+/// The cells on either side of a split, each divided into `parts` and counted again.
+std::vector<Cell> finer_cells(const std::vector<Cell>& cells, std::size_t quiet_cells, int parts,
+                              const Case& a_case, const CountsOf& counts_of) {
+  const std::size_t first = quiet_cells - 1;
+  std::vector<SpeedCell> fine;
+  for (std::size_t k = first; k <= quiet_cells; ++k) {
+    const Cell& c = cells[k];
+    add_cells(fine, c.omega - c.width / 2, c.omega + c.width / 2, c.width / parts);
+  }
+  const std::vector<int> counts = counts_of(a_case, speeds_of(fine));
+  std::vector<Cell> all(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    all.push_back({fine[k].omega, fine[k].width, counts[k]});
+  }
+  all.insert(all.end(), cells.begin() + static_cast<std::ptrdiff_t>(quiet_cells) + 1, cells.end());
+  return all;
+}
+
+struct ClaimedCell {
+  Case the_case;
+  SpeedCell cell;
+};
+
+std::vector<ClaimedCell> claimed_cells() {
+  std::vector<ClaimedCell> cells;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    for (const SpeedCell& cell : speed_cells(*a_case.claim.threshold)) {
+      cells.push_back({a_case, cell});
+    }
+  }
+  return cells;
+}
+
+struct Slopes {
+  double count;   ///< of the surrogate
+  Vector slopes;  ///< one for each free parameter
+};
+
+/// Surrogate counts, without derivatives.
+std::vector<double> surrogates(const Interpretation& interpretation, const Constants& constants,
+                               double smoothing, const std::vector<ClaimedCell>& cells) {
+  std::vector<Scene> scenes;
+  for (const auto& [the_case, cell] : cells) {
+    const Scene scene = scene_of(the_case, interpretation, constants);
+    scenes.push_back(scene_at(scene, interpretation, constants, cell.omega));
+  }
+  return objectives(scenes, smoothing);
+}
+
+/// A surrogate count and its derivatives, in groups of parameters: the cost of a dual number grows
+/// with its size.
+Slopes slopes_of_count(const Interpretation& interpretation, const Constants& constants,
+                       const std::vector<Unknown>& free, double smoothing,
+                       const ClaimedCell& where) {
+  constexpr std::size_t room = 5;
+  using Jet = ceres::Jet<double, static_cast<int>(room)>;
+  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(free.size()))};
+  for (std::size_t first = 0; first < free.size(); first += room) {
+    const std::size_t last = std::min(first + room, free.size());
+    BasicConstants<Jet> dual;
+    for (std::size_t i = 0; i < unknown_size; ++i) dual[i] = Jet(constants[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      dual[static_cast<std::size_t>(free[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
+    }
+    const BasicScene<Jet> scene = scene_of(where.the_case, interpretation, dual);
+    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), smoothing);
+    slopes.count = count.a;
+    for (std::size_t i = first; i < last; ++i) {
+      slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
+    }
+  }
+  return slopes;
+}
+
+}  // namespace
+
+std::vector<SpeedCell> speed_cells(double threshold) {
+  std::vector<SpeedCell> cells;
+  add_cells(cells, 0, 1.3 * threshold, threshold / 16);
+  add_cells(cells, 1.3 * threshold, fastest_speed, 0.6);
+  return cells;
+}
+
+LossParts loss_parts(const CoarseScore& s, const Claim& claim) {
+  const double quiet = *claim.quiet_count;
+  return {tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15),
+          tamed(std::max(0.0, 0.9 - s.purity) / 0.15),
+          tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05),
+          tamed(std::max(0.0, s.misclassified - 0.02) / 0.05),
+          tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2),
+          2.0 * s.wrong_examples,
+          3 * s.shape};
+}
+
+double loss_of(const CoarseScore& score, const Claim& claim) {
+  const LossParts p = loss_parts(score, claim);
+  return p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape;
+}
+
+double quiet_share_of_c11(const Interpretation& interpretation, const Constants& constants,
+                          int quiet) {
+  return quiet_share_of_c11(counts_by(interpretation, constants), quiet);
+}
+
+double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
+  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
+  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
+  double share = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
+  }
+  return share;
+}
+
+CoarseScore coarse_score(const Interpretation& interpretation, const Constants& constants,
+                         const Case& a_case, int finer) {
+  return coarse_score(counts_by(interpretation, constants), a_case, finer);
+}
+
+CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int finer) {
+  const double threshold = a_case.claim.threshold.value();
+  const int claimed = a_case.claim.quiet_count.value();
+  std::vector<Cell> cells, below, above;
+  double below_shape = 0;
+  double above_shape = 0;
+  const std::vector<SpeedCell> speed_cell = speed_cells(threshold);
+  std::vector<double> speeds = speeds_of(speed_cell);
+  const auto& figure = a_case.claim.figure;
+  if (figure) speeds.insert(speeds.end(), {figure->quiet, figure->loud});
+  const std::vector<int> counts = counts_of(a_case, speeds);
+  for (std::size_t k = 0; k < speed_cell.size(); ++k) {
+    const SpeedCell& c = speed_cell[k];
+    const Cell cell{c.omega, c.width, counts[k]};
+    cells.push_back(cell);
+    if (c.omega < threshold) {
+      below.push_back(cell);
+      below_shape += c.width * std::min(1.5, std::abs(below_claim(cell.count, claimed)));
+    } else {
+      above.push_back(cell);
+      above_shape += c.width * std::min(1.5, above_claim(cell.count, claimed));
+    }
+  }
+  const int quiet = widest_count(below);
+  const double limit = quiet_limit(quiet);
+  CoarseSplit split = coarse_split(cells, limit);
+  if (finer > 1 && split.quiet_cells > 0 && split.quiet_cells < cells.size()) {
+    cells = finer_cells(cells, split.quiet_cells, finer, a_case, counts_of);
+    split = coarse_split(cells, limit);
+  }
+  double pure = 0;
+  for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
+  int wrong = 0;
+  if (figure) {
+    wrong += counts[counts.size() - 2] > limit ? 1 : 0;
+    wrong += counts.back() > limit ? 0 : 1;
+  }
+  return {quiet,
+          pure / total_width(below),
+          split.speed,
+          split.misclassified,
+          median_count(above) / std::max(quiet, 1),
+          wrong,
+          below_shape / total_width(below) + above_shape / total_width(above)};
+}
+
+double loss(const Interpretation& interpretation, const Constants& constants,
+            const std::string& left_out) {
+  return loss(counts_by(interpretation, constants), left_out);
+}
+
+double loss(const CountsOf& counts_of, const std::string& left_out) {
+  double sum = 0;
+  int quiet_of_c4 = 1;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    if (a_case.id == left_out && a_case.id != "C4") continue;
+    const CoarseScore s = coarse_score(counts_of, a_case);
+    if (a_case.id != left_out) sum += loss_of(s, a_case.claim);
+    if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
+  }
+  return sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4);
+}
+
+SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
+                       const std::vector<Unknown>& free, double smoothing) {
+  const bool differentiable = interpretation.recovery != Recovery::contact_speed &&
+                              interpretation.transition == Transition::plain;
+  const std::vector<ClaimedCell> cells = claimed_cells();
+  const std::vector<double> counts = surrogates(interpretation, constants, smoothing, cells);
+  const auto columns = static_cast<Eigen::Index>(free.size());
+  const auto rows = static_cast<Eigen::Index>(cells.size());
+  SmoothLoss result{Vector(rows), Matrix::Zero(rows, columns)};
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto& [the_case, cell] = cells[k];
+    const double threshold = *the_case.claim.threshold;
+    const int quiet = *the_case.claim.quiet_count;
+    const bool below = cell.omega < threshold;
+    // Loud enough even if the dual number's value is rounded differently.
+    const bool flat = !below && above_claim(counts[k] * (1 - 1e-9), quiet) == 0;
+    const bool has_slopes = differentiable && columns > 0 && !flat;
+    const Slopes at = has_slopes
+                          ? slopes_of_count(interpretation, constants, free, smoothing, cells[k])
+                          : Slopes{counts[k], {}};
+    const double weight =
+        std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
+    const double distance = below ? below_claim(at.count, quiet) : -above_claim(at.count, quiet);
+    const auto row = static_cast<Eigen::Index>(k);
+    result.residuals[row] = weight * distance;
+    if (!has_slopes || (!below && distance == 0)) continue;
+    result.slopes.row(row) = weight / (at.count + 0.5) * at.slopes.transpose();
+  }
+  return result;
+}
+
+namespace {
+
+const UnknownParameter& bounds_of(Unknown open) {
+  return unknown_parameters()[static_cast<std::size_t>(open)];
+}
+
+/// d value / d share.
+double stretch(const UnknownParameter& c, double share) {
+  if (c.logarithmic) return value_at(c, share) * std::log(c.upper / c.lower);
+  return c.upper - c.lower;
+}
+
+}  // namespace
+
+Parameterisation full_parameterisation(const Interpretation& interpretation) {
+  return {interpretation, unknowns_of(interpretation), natural_constants()};
+}
+
+Parameterisation forgotten(const Interpretation& interpretation, const std::vector<Unknown>& free,
+                           const Constants& constants) {
+  Parameterisation parameterisation{interpretation, free, constants};
+  for (const Unknown open : free) {
+    const auto i = static_cast<std::size_t>(open);
+    parameterisation.held[i] = natural_constants()[i];
+  }
+  return parameterisation;
+}
+
+Constants constants_at(const Parameterisation& parameterisation, const Vector& x) {
+  Constants constants = parameterisation.held;
+  for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
+    const Unknown open = parameterisation.free[i];
+    constants[static_cast<std::size_t>(open)] =
+        value_at(bounds_of(open), x[static_cast<Eigen::Index>(i)]);
+  }
+  return constants;
+}
+
+Vector point_of(const Parameterisation& parameterisation, const Constants& constants) {
+  Vector x(static_cast<Eigen::Index>(parameterisation.free.size()));
+  for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
+    const Unknown open = parameterisation.free[i];
+    x[static_cast<Eigen::Index>(i)] =
+        share_of(bounds_of(open), constants[static_cast<std::size_t>(open)]);
+  }
+  return x;
+}
+
+Problem calibration_problem(const Parameterisation& parameterisation, const std::string& left_out) {
+  const auto n = static_cast<Eigen::Index>(parameterisation.free.size());
+  Problem problem;
+  problem.name = fmt::format("calibration-{}", name_of(parameterisation.interpretation));
+  for (const Unknown open : parameterisation.free)
+    problem.name += fmt::format("-{}", bounds_of(open).name);
+  for (const Unknown open : parameterisation.free) {
+    problem.variables.push_back({std::string(bounds_of(open).name), ""});
+  }
+  problem.source = "distance from the paper's claims, section 3.3, over the unknown parameters";
+  problem.lower = Vector::Zero(n);
+  problem.upper = Vector::Ones(n);
+  problem.start = point_of(parameterisation, parameterisation.held);
+  problem.evaluate = [parameterisation, left_out](const Vector& x) {
+    return Values{
+        loss(parameterisation.interpretation, constants_at(parameterisation, x), left_out), {}};
+  };
+  problem.residuals = [parameterisation](const Vector& x) {
+    SmoothLoss smooth =
+        smooth_loss(parameterisation.interpretation, constants_at(parameterisation, x),
+                    parameterisation.free, default_smoothing);
+    for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      smooth.slopes.col(column) *= stretch(bounds_of(parameterisation.free[i]), x[column]);
+    }
+    return Residuals{std::move(smooth.residuals), std::move(smooth.slopes)};
+  };
+  return problem;
+}
+
+Problem calibration_problem(const FittedInterpretation& fitted) {
+  const Parameterisation parameterisation =
+      forgotten(fitted.interpretation, fitted.free, fitted.constants);
+  Problem problem = calibration_problem(parameterisation);
+  problem.name = "calibration-default";
+  if (fitted.name == default_interpretation().name) know_best(problem, default_machine_hash());
+  if (!problem.best_known) {
+    problem.best_point = point_of(parameterisation, fitted.constants);
+    problem.best_known = problem.evaluate(*problem.best_point).objective;
+    problem.provenance = fitted.provenance;
+  }
+  problem.tolerance = 0.01;
+  problem.gradient_cost = calibration_gradient_cost;
+  return problem;
+}
+
+Family calibration_family() {
+  return {"calibration", {calibration_problem(default_interpretation())}};
+}
+
+}  // namespace ricochet::carrier_track::inline paper

@@ -2,7 +2,6 @@
 set(RICOCHET_SANITIZE "" CACHE STRING "Sanitizers to build with: address (undefined behaviour too) or thread")
 set_property(CACHE RICOCHET_SANITIZE PROPERTY STRINGS "" address thread)
 include(GNUInstallDirs)
-option(RICOCHET_WERROR "Treat warnings as errors" ON)
 
 add_library(ricochet_options INTERFACE)
 target_include_directories(ricochet_options INTERFACE
@@ -13,7 +12,7 @@ target_compile_features(ricochet_options INTERFACE cxx_std_20)
 target_link_libraries(ricochet_options INTERFACE $<BUILD_INTERFACE:fmt::fmt>)
 # Errors of JSON name the place in the data, "(/rows/3/share)".
 target_compile_definitions(ricochet_options INTERFACE $<BUILD_INTERFACE:JSON_DIAGNOSTICS=1>)
-set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)
+set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 is mistaken in the last three, through dual numbers or a precompiled header.
   # A global of one file is none to the next, though both are compiled at once.

@@ -10,19 +10,6 @@ function(ricochet_apart)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# ricochet_targets(OUT FOLDER...): all targets made in the folders and below.
-function(ricochet_targets out)
-  set(found)
-  foreach(folder ${ARGN})
-    get_filename_component(folder ${folder} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
-    get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-    get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
-    ricochet_targets(targets_below ${below})
-    list(APPEND found ${targets} ${targets_below})
-  endforeach()
-  set(${out} ${found} PARENT_SCOPE)
-endfunction()
-
 # ricochet_precompile(NAME OPTION FOLDER...): compiles all targets of the folders, but for those that
 # an earlier call has named, with the option and with one precompiled header, of that name. A header keeps the optimisation that it was
 # made with, and may know no macro that a file does not: each has a target of its own.

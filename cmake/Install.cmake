@@ -60,8 +60,6 @@ foreach(set problems solvers interface)
     ricochet_missing(libricochet-dev ricochet_${library})
   endforeach()
 endforeach()
-set_target_properties(ricochet_options PROPERTIES EXPORT_NAME options)
-install(TARGETS ricochet_options EXPORT ricochet-problems)
 foreach(set problems solvers interface)
   install(EXPORT ricochet-${set} NAMESPACE ricochet:: DESTINATION ${package_folder}
     FILE ricochet-${set}.cmake COMPONENT libricochet-dev)

@@ -1,19 +1,17 @@
-# The compiler options of all our own targets, as one interface target.
+# The compiler options of all our own targets, as one interface target; who links our libraries has none of it.
 set(RICOCHET_SANITIZE "" CACHE STRING "Sanitizers to build with: address (undefined behaviour too) or thread")
 set_property(CACHE RICOCHET_SANITIZE PROPERTY STRINGS "" address thread)
 include(GNUInstallDirs)
-option(RICOCHET_WERROR "Treat warnings as errors" ON)
 
 add_library(ricochet_options INTERFACE)
 target_include_directories(ricochet_options INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>  # "src/core/scorer.h"
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>  # "ricochet/problem.h"
-  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  ${PROJECT_SOURCE_DIR}  # "src/core/scorer.h"
+  ${PROJECT_SOURCE_DIR}/include)  # "ricochet/problem.h"
 target_compile_features(ricochet_options INTERFACE cxx_std_20)
-target_link_libraries(ricochet_options INTERFACE $<BUILD_INTERFACE:fmt::fmt>)
+target_link_libraries(ricochet_options INTERFACE fmt::fmt)
 # Errors of JSON name the place in the data, "(/rows/3/share)".
-target_compile_definitions(ricochet_options INTERFACE $<BUILD_INTERFACE:JSON_DIAGNOSTICS=1>)
-set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)
+target_compile_definitions(ricochet_options INTERFACE JSON_DIAGNOSTICS=1)
+set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 is mistaken in the last three, through dual numbers or a precompiled header.
   # A global of one file is none to the next, though both are compiled at once.
@@ -22,7 +20,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(APPEND warnings -Wno-overlength-strings)  # an embedded data file is one string
 endif()
-target_compile_options(ricochet_options INTERFACE "$<BUILD_INTERFACE:${warnings}>")
+target_compile_options(ricochet_options INTERFACE ${warnings})
 if(RICOCHET_SANITIZE STREQUAL "address")
   # The three checks left out triple the time to compile; the address sanitizer sees a null pointer
   # that is followed, and x86 needs no alignment.
@@ -35,12 +33,43 @@ if(RICOCHET_SANITIZE STREQUAL "address")
   target_compile_definitions(ricochet_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 elseif(RICOCHET_SANITIZE STREQUAL "thread")
   target_include_directories(ricochet_options BEFORE INTERFACE
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tests/thread>)
+    ${PROJECT_SOURCE_DIR}/tests/thread)
   target_compile_options(ricochet_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(ricochet_options INTERFACE -fsanitize=thread)
 elseif(RICOCHET_SANITIZE)
   message(FATAL_ERROR "RICOCHET_SANITIZE is ${RICOCHET_SANITIZE}; allowed: nothing, address, thread")
 endif()
 
-add_library(ricochet_dual_numbers INTERFACE)  # ceres/jet.h
-target_include_directories(ricochet_dual_numbers SYSTEM INTERFACE ${RICOCHET_JET_FOLDER})
+target_include_directories(ricochet_options SYSTEM INTERFACE ${RICOCHET_JET_FOLDER})  # ceres/jet.h
+
+# ricochet_targets(OUT FOLDER...): all targets made in the folders and below that are compiled.
+function(ricochet_targets out)
+  set(found)
+  foreach(folder ${ARGN})
+    get_filename_component(folder ${folder} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
+    get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+    get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+    ricochet_targets(targets_below ${below})
+    list(APPEND found ${targets_below})
+    foreach(target ${targets})
+      get_target_property(type ${target} TYPE)
+      if(NOT type MATCHES "UTILITY|INTERFACE")
+        list(APPEND found ${target})
+      endif()
+    endforeach()
+  endforeach()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+# ricochet_own(FOLDER...): gives the options to all targets in the folders, and to nobody who links them: a
+# property, since target_link_libraries(PRIVATE) would have the options installed. A target with the property
+# RICOCHET_AS_A_USER does without.
+function(ricochet_own)
+  ricochet_targets(targets ${ARGN})
+  foreach(target ${targets})
+    get_target_property(as_a_user ${target} RICOCHET_AS_A_USER)
+    if(NOT as_a_user)
+      set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ricochet_options)
+    endif()
+  endforeach()
+endfunction()

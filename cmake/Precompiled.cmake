@@ -10,37 +10,44 @@ function(ricochet_apart)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# ricochet_targets(OUT FOLDER...): all targets made in the folders and below.
-function(ricochet_targets out)
-  set(found)
-  foreach(folder ${ARGN})
-    get_filename_component(folder ${folder} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
-    get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
-    get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
-    ricochet_targets(targets_below ${below})
-    list(APPEND found ${targets} ${targets_below})
-  endforeach()
-  set(${out} ${found} PARENT_SCOPE)
-endfunction()
-
-# ricochet_precompile(NAME OPTION FOLDER...): compiles all targets of the folders, but for those that
-# an earlier call has named, with the option and with one precompiled header, of that name. A header keeps the optimisation that it was
-# made with, and may know no macro that a file does not: each has a target of its own.
-function(ricochet_precompile name option)
+# ricochet_headers(NAME OPTION...): a target with the precompiled header of those that are compiled with the
+# same options. A header keeps the optimisation that it was made with, and may know no macro that a file does
+# not.
+function(ricochet_headers name)
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(${name} PRIVATE ricochet_options Eigen3::Eigen)
-  target_compile_options(${name} PRIVATE ${option})
+  target_compile_options(${name} PRIVATE ${ARGN})
   target_precompile_headers(${name} PRIVATE
     <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers>
     <optional> <span> <stdexcept> <string> <string_view> <utility> <vector>
     <Eigen/Core> <ceres/jet.h> <fmt/format.h> <nlohmann/json.hpp> <tbb/parallel_for.h>)
+endfunction()
+
+# ricochet_compile_like(HEADERS TARGET...): with the header, and the options that it was made with.
+function(ricochet_compile_like headers)
+  get_target_property(options ${headers} COMPILE_OPTIONS)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE ${options})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
+  endforeach()
+endfunction()
+
+# ricochet_fast_to_compile(TARGET...): for targets that keep books, or make words, pictures and pages: with
+# the same results, a little later.
+ricochet_headers(ricochet_fast_headers $<IF:$<CONFIG:Release>,-Og,-O0>)
+function(ricochet_fast_to_compile)
+  ricochet_compile_like(ricochet_fast_headers ${ARGN})
+endfunction()
+
+# ricochet_compile_the_others(FOLDER...): all other targets of the folders. They compute, as the build type
+# has it, and can be made into a shared library; without the last option GCC would inline less then.
+ricochet_headers(ricochet_headers -fPIC -fno-semantic-interposition)
+function(ricochet_compile_the_others)
   ricochet_targets(targets ${ARGN})
   foreach(target ${targets})
-    get_target_property(other ${target} PRECOMPILE_HEADERS_REUSE_FROM)
-    if(other)
-      continue()
+    get_target_property(headers ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+    if(NOT headers)
+      ricochet_compile_like(ricochet_headers ${target})
     endif()
-    target_compile_options(${target} PRIVATE ${option})
-    target_precompile_headers(${target} REUSE_FROM ${name})
   endforeach()
 endfunction()

@@ -97,7 +97,7 @@ Scene loud_case() {
 }
 
 /// A free mass between two shaken walls, in the walls' frame: the symmetric orbit with two impacts
-/// a period, stable for e = 0.5 and a gap of 5 amplitudes (2.6 to 9.6; contact.md).
+/// a period, stable for e = 0.5 and a gap of 5 amplitudes (from 2.6 to 9.6).
 Scene shaken_gap() {
   const double amplitude = 2e-4;                         // [m]
   const double frequency = 2 * std::numbers::pi * 10.0;  // [rad/s]

@@ -5,7 +5,7 @@ include(GNUInstallDirs)
 
 add_library(ricochet_options INTERFACE)
 target_include_directories(ricochet_options INTERFACE
-  ${PROJECT_SOURCE_DIR}  # "src/core/scorer.h"
+  ${PROJECT_SOURCE_DIR}  # "src/core/evaluator.h"
   ${PROJECT_SOURCE_DIR}/include)  # "ricochet/problem.h"
 target_compile_features(ricochet_options INTERFACE cxx_std_20)
 target_link_libraries(ricochet_options INTERFACE fmt::fmt)

@@ -42,9 +42,9 @@ namespace {
 constexpr double farthest_start = 0.999;  // |x - middle| / half width
 
 /// The objective over y.
-class Waves : public ceres::FirstOrderFunction {
+class EvaluatedObjective : public ceres::FirstOrderFunction {
  public:
-  explicit Waves(Evaluator& evaluator)
+  explicit EvaluatedObjective(Evaluator& evaluator)
       : evaluator_(evaluator),
         middle_((evaluator.lower() + evaluator.upper()) / 2),
         half_((evaluator.upper() - evaluator.lower()) / 2) {}
@@ -111,7 +111,7 @@ Options options_with(const GivenOptions& given) {
 }
 
 SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
-  auto* waves = new Waves(evaluator);  // `problem` owns it
+  auto* waves = new EvaluatedObjective(evaluator);  // `problem` owns it
   const ceres::GradientProblem problem(waves);
   Vector y = waves->inverse(start);
   ceres::GradientProblemSolver::Summary summary;

@@ -58,9 +58,9 @@ class Barrier {
 
 /// "mads": mesh adaptive direct search (Audet and Dennis, SIAM J. Optim. 17 (2006) 188-217, doi
 /// 10.1137/040603371) in the unit cube. It needs neither slopes nor continuity, and handles
-/// constraints by a progressive barrier; see barrier.h. An iteration first looks further along the
+/// constraints by a progressive barrier; see mads.h. An iteration first looks further along the
 /// step of the last success, up to four times its length. It then polls around the incumbents in
-/// the n + 1 directions of OrthoMADS that point most along this step; see poll_directions.h. The
+/// the n + 1 directions of OrthoMADS that point most along this step; see mads.h. The
 /// first point that beats an incumbent ends the iteration, and the mesh becomes coarser; if there
 /// is none, the mesh is refined. Points outside the box are moved to its faces.
 ///

@@ -137,9 +137,9 @@ class Audit {
     }
   }
 
-  /// The part that a file belongs to: itself, or its folder.
+  /// The part that a file belongs to: itself, or the nearest folder around it that has a line.
   std::optional<std::string> part_of(const std::string& path) const {
-    for (const std::string& part : {without_ending(path), folder_of(path)}) {
+    for (std::string part = without_ending(path); !part.empty(); part = folder_of(part)) {
       if (below_.contains(part)) return part;
     }
     return std::nullopt;
@@ -260,7 +260,7 @@ const std::vector<File> tree = {{"src/core/box.h", {}, {"vector"}},
                                 {"src/core/run.h", {"src/core/box.h"}, {}},
                                 {"solvers/climb.h", {"src/core/run.h"}, {}},
                                 {"solvers/climb.cpp", {"solvers/climb.h"}, {"nlopt.h"}},
-                                {"src/research/hill/page.cpp",
+                                {"src/studies/hill/page.cpp",
                                  {"solvers/climb.h", "src/core/run.h", "embedded/page.h"},
                                  {"nlopt_names.h"}}};
 const std::string drawn =
@@ -317,12 +317,12 @@ TEST(Architecture, HasNoArrowPastAFileThatStandsAlone) {
 
 TEST(Architecture, HasNoArrowThatNobodyUses) {
   EXPECT_THAT(complaints(tree, redrawn("-> solvers", "-> solvers box")),
-              ElementsAre("src/research/hill -> src/core/box is used by no file"));
+              ElementsAre("src/studies/hill -> src/core/box is used by no file"));
 }
 
 TEST(Architecture, HasNoNameWithTwoMeanings) {
   EXPECT_THAT(complaints(with({"problems/hill/box.h", {}, {}}), drawn),
-              testing::Contains("hill may be problems/hill or src/research/hill"));
+              testing::Contains("hill may be problems/hill or src/studies/hill"));
 }
 
 TEST(Architecture, KeepsLibrariesWithThoseWhoAdaptThem) {

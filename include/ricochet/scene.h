@@ -101,10 +101,10 @@ T scaled(const T& x, double by) {
 // @file
 // A machine: one yarn carrier in its clearance, and the TOML file that describes it.
 
-/// How the centrifugal force F_a = m r_c omega^2 enters the x axis (paper.md, contradiction 6).
+/// How the centrifugal force F_a = m r_c omega^2 enters the x axis: equation (31) projects it, while the text of the paper draws it inward.
 enum class Centrifugal { projected, inward, outward };
 
-/// The rule that decides which events of the motion count as collisions; see collisions.h.
+/// The rule that decides which events of the motion count as collisions; see count.h.
 enum class CountRule { impacts, peaks };
 
 /// Laws for the force of a compliant wall: D(c) for a prescribed restitution c, see contact_law.h.

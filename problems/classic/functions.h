@@ -3,7 +3,7 @@
 #include "ricochet/problem.h"
 
 /// Functions of n >= 1 variables with many valleys, "classic-<name>-<n>". Boxes and starts as in
-/// unimodal.h.
+/// functions.h.
 namespace ricochet::classic {
 
 /// Sum of 10 + x_i^2 - 10 cos(2 pi x_i).

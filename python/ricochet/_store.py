@@ -13,7 +13,7 @@ from ._library import Error
 if TYPE_CHECKING:
     import pandas
 
-_APPLICATION = 0x5249434F  # of src/benchmark/experiment/store/schema.sql
+_APPLICATION = 0x5249434F  # of src/experiment/schema.sql
 
 
 def runs(path: str | os.PathLike[str]) -> pandas.DataFrame:

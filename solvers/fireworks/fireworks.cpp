@@ -14,9 +14,9 @@ namespace ricochet::fireworks {
 
 namespace {
 
-class Show {
+class FireworksRun {
  public:
-  Show(Evaluator& evaluator, const FireworksOptions& options, Random& random)
+  FireworksRun(Evaluator& evaluator, const FireworksOptions& options, Random& random)
       : evaluator_(evaluator),
         options_(options),
         random_(random),
@@ -61,7 +61,7 @@ class Show {
   Vector spark_;
 };
 
-void Show::draw_start(int number, const Vector& start) {
+void FireworksRun::draw_start(int number, const Vector& start) {
   spark_ = start;
   if (options_.start_region) {
     const auto [lower, upper] = *options_.start_region;
@@ -72,7 +72,7 @@ void Show::draw_start(int number, const Vector& start) {
   spark_ = spark_.cwiseMax(box_.lower()).cwiseMin(box_.upper());
 }
 
-bool Show::begin(const Vector& start) {
+bool FireworksRun::begin(const Vector& start) {
   for (int i = 0; i < options_.fireworks; ++i) {
     draw_start(i, start);
     if (!population_.add(spark_)) return false;
@@ -80,13 +80,13 @@ bool Show::begin(const Vector& start) {
   return true;
 }
 
-Vector Show::amplitudes(const Vector& fitness) const {
+Vector FireworksRun::amplitudes(const Vector& fitness) const {
   const double spent = budget_ - static_cast<double>(evaluator_.remaining());
   const Vector free = explosion_amplitudes(fitness, options_.amplitude, options_.counts.epsilon);
   return free.cwiseMax(options_.amplitude_floor.after(spent, budget_));
 }
 
-bool Show::explode() {
+bool FireworksRun::explode() {
   const Vector fitness = fitness_of(population_.worths());
   const std::vector<int> counts = spark_counts(fitness, options_.counts);
   const Vector amplitude = amplitudes(fitness);
@@ -101,7 +101,7 @@ bool Show::explode() {
   return true;
 }
 
-bool Show::add_gaussian_sparks() {
+bool FireworksRun::add_gaussian_sparks() {
   const auto fireworks = static_cast<std::size_t>(options_.fireworks);
   Vector best;
   if (options_.gaussian_spark == GaussianSpark::approaches) {
@@ -171,7 +171,7 @@ Solver fireworks(std::string name, const FireworksOptions& options) {
   check(options);
   return member(std::move(name),
                 [options](Evaluator& evaluator, const Vector& start, Random& random) {
-                  Show show(evaluator, options, random);
+                  FireworksRun show(evaluator, options, random);
                   if (!show.begin(start)) return;
                   while (show.explode() && show.add_gaussian_sparks()) show.select();
                 });

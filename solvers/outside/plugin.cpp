@@ -22,7 +22,7 @@
 
 #include "ricochet/error.h"
 #include "solvers/unit_box.h"
-#include "src/app/interface/seen_problem.h"
+#include "src/core/seen_problem.h"
 #include "src/core/floating_point.h"
 #include "src/core/names.h"
 #include "src/core/process.h"

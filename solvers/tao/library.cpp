@@ -33,7 +33,7 @@ namespace {
 constexpr PetscErrorCode give_up = PETSC_ERR_USER;
 
 /// A problem over the unit cube, u = (x - lower) / (upper - lower).
-struct Asked {
+struct Evaluations {
   ricochet_problem* problem;
   std::vector<double> width, x, best_x, rows, first;
   double best = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ struct Asked {
   bool over = false;        // the run is over
   bool not_finite = false;  // the last numbers sent to TAO
 
-  explicit Asked(ricochet_problem* asked)
+  explicit Evaluations(ricochet_problem* asked)
       : problem(asked), width(size()), x(asked->start, asked->start + size()) {
     for (std::size_t i = 0; i < size(); ++i) width[i] = asked->upper[i] - asked->lower[i];
   }
@@ -65,11 +65,11 @@ struct Asked {
   }
 };
 
-Asked& asked(void* context) {
-  return *static_cast<Asked*>(context);
+Evaluations& asked(void* context) {
+  return *static_cast<Evaluations*>(context);
 }
 
-PetscErrorCode move_to(Asked& self, Vec u) {
+PetscErrorCode move_to(Evaluations& self, Vec u) {
   const PetscScalar* at = nullptr;
   PetscCall(VecGetArrayRead(u, &at));
   self.move_to(at);
@@ -77,14 +77,14 @@ PetscErrorCode move_to(Asked& self, Vec u) {
 }
 
 PetscErrorCode objective_at(Tao, Vec u, PetscReal* objective, void* context) {
-  Asked& self = asked(context);
+  Evaluations& self = asked(context);
   PetscCall(move_to(self, u));
   const int32_t refused = self.problem->values(self.problem, self.x.data(), objective, nullptr);
   return self.end(refused, *objective);
 }
 
 PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* context) {
-  Asked& self = asked(context);
+  Evaluations& self = asked(context);
   PetscCall(move_to(self, u));
   PetscScalar* slope = nullptr;
   PetscCall(VecGetArray(gradient, &slope));
@@ -98,7 +98,7 @@ PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* co
 }
 
 /// The residuals at self.x. Those computed at the start, before TAO began, are used once more.
-PetscErrorCode tell_residuals(Asked& self, PetscScalar* values, std::size_t count) {
+PetscErrorCode tell_residuals(Evaluations& self, PetscScalar* values, std::size_t count) {
   if (!self.first.empty()) {
     std::copy(self.first.begin(), self.first.end(), values);
     self.first.clear();
@@ -111,7 +111,7 @@ PetscErrorCode tell_residuals(Asked& self, PetscScalar* values, std::size_t coun
 }
 
 PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
-  Asked& self = asked(context);
+  Evaluations& self = asked(context);
   PetscCall(move_to(self, u));
   PetscScalar* values = nullptr;
   PetscInt count = 0;
@@ -128,7 +128,7 @@ PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
 }
 
 PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) {
-  Asked& self = asked(context);
+  Evaluations& self = asked(context);
   PetscCall(move_to(self, u));
   PetscInt count = 0, n = 0;
   PetscCall(MatGetSize(jacobian, &count, &n));
@@ -167,7 +167,7 @@ void destroy(Vec vec) {
 /// One start, with all PETSc objects that it owns.
 class Search {
  public:
-  explicit Search(Asked& asked) : asked_(asked) {}
+  explicit Search(Evaluations& asked) : asked_(asked) {}
   ~Search() {
     TaoDestroy(&tao_);
     for (Vec* each : {&u_, &lower_, &upper_, &residuals_}) VecDestroy(each);
@@ -231,13 +231,13 @@ class Search {
   }
 
  private:
-  Asked& asked_;
+  Evaluations& asked_;
   Tao tao_ = nullptr;
   Vec u_ = nullptr, lower_ = nullptr, upper_ = nullptr, residuals_ = nullptr;
   Mat jacobian_ = nullptr;
 };
 
-const char* search(Asked& asked, TaoType type, PetscErrorCode (Search::*show)()) {
+const char* search(Evaluations& asked, TaoType type, PetscErrorCode (Search::*show)()) {
   static std::mutex one_at_a_time;  // PETSc is not thread-safe
   const std::lock_guard lock(one_at_a_time);
   if (!initialised()) return "PETSc could not be initialised";
@@ -254,7 +254,7 @@ const char* search(Asked& asked, TaoType type, PetscErrorCode (Search::*show)())
 
 template <auto show>
 const char* solve(TaoType type, ricochet_problem* problem, double* point) {
-  Asked asked(problem);
+  Evaluations asked(problem);
   const char* const reason = search(asked, type, show);
   std::copy(asked.best_x.begin(), asked.best_x.end(), point);
   return reason;

@@ -143,7 +143,7 @@ void each_judged(const Store& store, const std::function<void(const JudgedRun&)>
 /// as good was first evaluated. Infinite without a feasible point.
 Reached reached_by(const Outcome& outcome, Criterion criterion = Criterion::returned);
 
-// Patterns are shell patterns separated by commas: see patterns.h.
+// Patterns are shell patterns separated by commas: see names.h.
 
 /// The problems whose names match and whose best values are known. Throws InputError, naming
 /// `option`, if there is none.

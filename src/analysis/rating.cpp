@@ -18,7 +18,7 @@ namespace ricochet::comparison {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Positions on the axis of evaluations for each variable, from 1 up to the budget, which is one.
 std::vector<double> places(double budget) {
@@ -44,7 +44,7 @@ std::vector<double> hitting_times(const Problem& problem, const CellResult& resu
     for (const double target : *result.targets) {
       const auto reached = std::find_if(steps.begin(), steps.end(),
                                         [&](const Step& s) { return s.optimality_gap <= target; });
-      times.push_back(reached == steps.end() ? infinity
+      times.push_back(reached == steps.end() ? never
                                              : static_cast<double>(reached->evaluations) / n);
     }
   }
@@ -178,7 +178,7 @@ std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::si
   }
   set_ranks(compared, ranked(entries, problems, criterion), budget, criterion);
   const auto key = [](const Rating& r) {
-    return std::tuple(r.rank.value_or(infinity), -r.problems, -r.returned);
+    return std::tuple(r.rank.value_or(never), -r.problems, -r.returned);
   };
   std::stable_sort(ratings.begin(), ratings.end(),
                    [&](const Rating& a, const Rating& b) { return key(a) < key(b); });

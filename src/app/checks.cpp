@@ -136,7 +136,7 @@ struct ImpactTestOptions {
 std::vector<Tool> known_tools() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
   constexpr std::array places = {"../share/ricochet/impact_test/tools.toml",
-                                 "../../../../src/research/impact_test/tools/tools.toml"};
+                                 "../../../../src/studies/impact_test/tools/tools.toml"};
   for (const char* place : places) {
     const fs::path file = (program / place).lexically_normal();
     if (fs::exists(file)) return tools_in(file);

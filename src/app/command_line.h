@@ -91,7 +91,7 @@ inline void tell(const studies::Finished& finished) {
 int cores();
 
 /// The commands, each with its options in the file of its name; run in campaign.cpp, submit in
-/// archive.cpp, and replay, merge and digest in stored_runs.cpp.
+/// archive.cpp, and replay, merge and digest in verified_runs.cpp.
 ///
 /// Prints a machine file to start from, checks one, or writes the page of advice into a folder.
 void add_machine(CommandLine& line);

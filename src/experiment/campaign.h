@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/searched_problem.h"
+#include "src/core/searched_problem.h"
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
 #include "src/experiment/perturbations.h"

@@ -168,9 +168,9 @@ struct Rank {
   Clock::time_point heard = Clock::now();
 };
 
-class Office {
+class RankScheduler {
  public:
-  Office(Child& store, int ranks) : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
+  RankScheduler(Child& store, int ranks) : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
     ranks_[0].lost = true;  // rank 0 makes no runs
     const auto opening = store_.hear();
     if (!opening) return;
@@ -285,7 +285,7 @@ class Office {
 int hand_out_runs(std::vector<std::string> arguments, int ranks, bool& lost) {
   arguments.insert(arguments.end(), {"--serve", "store"});
   Child store(std::move(arguments));
-  Office office(store, ranks);
+  RankScheduler office(store, ranks);
   const bool all = office.work();
   lost = office.lost();
   const int status = store.wait();

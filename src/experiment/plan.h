@@ -39,7 +39,7 @@ struct PlanPart {
   /// For every problem of one variable: number of machines drawn around its own, to replace it.
   int drawn_machines = 0;
   /// Instead of other instances: boxes with the best point at the lower end, in the middle and at
-  /// the upper end; see relocated_optimum.h. Formulations without smoothing only.
+  /// the upper end; see campaign.h. Formulations without smoothing only.
   bool relocated_optimum = false;
   std::int64_t least_variables = 1;  ///< of problems
   std::int64_t most_variables = 1'000'000;

@@ -430,7 +430,7 @@ Forecast forecast_of(const Campaign& campaign) {
     forecast.runs += runs * (seconds_of_a_run + evaluations * (seconds_of(cell, of_problem) +
                                                                of_solver[cell.solver].evaluation));
   }
-  // A process is replaced every second: see old_age in runner.cpp.
+  // A process is replaced every second: see old_age in worker.cpp.
   const double processes = 1 + forecast.runs;
   for (std::size_t s = 0; s < of_solver.size(); ++s) {
     forecast.runs += std::min(processes, runs_of_solver[s]) * of_solver[s].start;

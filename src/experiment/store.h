@@ -59,7 +59,7 @@ struct StoredProblem {
   double best_known = 0;
   std::map<std::string, double> factors;        ///< of the machine: see Problem::factors
   std::map<std::string, double> findings = {};  ///< of its search, if its best value was not known
-  std::string hash = {};                        ///< see problem_hash.h
+  std::string hash = {};                        ///< see planned_runs.h
 
   bool operator==(const StoredProblem&) const = default;
 };

@@ -126,15 +126,15 @@ Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
   descriptor_ = ends[0];
   try {
     process_.emplace([&] {
-      close(ends[0]);
+      ::close(ends[0]);
       work(jobs, limits, ends[1]);
     });
   } catch (...) {
-    close(ends[0]);
-    close(ends[1]);
+    ::close(ends[0]);
+    ::close(ends[1]);
     throw;
   }
-  close(ends[1]);
+  ::close(ends[1]);
 }
 
 void Worker::begin(std::size_t job) {
@@ -156,7 +156,7 @@ std::chrono::steady_clock::duration Worker::age() const {
 
 Worker::~Worker() {
   process_.reset();
-  close(descriptor_);
+  ::close(descriptor_);
 }
 
 bool Worker::listen() {

@@ -38,7 +38,7 @@ struct Column {
 struct Cell {
   std::string text;
   State state = State::neutral;
-  std::string link = {};  ///< see Link in headline.h; empty: none
+  std::string link = {};  ///< see Link in page_template.h; empty: none
 };
 
 /// The first cell of every row is its header.

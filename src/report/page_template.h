@@ -66,14 +66,14 @@ struct DrawnPage {
   Headline headline;
 };
 
-/// Fills in a template. The template is TOML; its texts are Mustache, see filled_text.h.
+/// Fills in a template. The template is TOML; its texts are Mustache, see text.h.
 ///
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
 ///   above = "name of the page in the folder above", if there is one
 ///   [digits]                  name = number of its significant digits in the data
 ///   [headline]                label, problem, command of the kind; finding, made_by, holds
 ///   [[headline.excerpt]]      topic, heading, text, links = [{text, to}, ...], table,
-///                             see headline.h
+///                             see page_template.h
 ///   [[headline.chart]]        like a section's; omits samples at or above the end of y's range
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
 ///     view                    name of the runs that a reader filters, see

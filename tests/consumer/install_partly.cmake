@@ -8,7 +8,7 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${FOLDER})
-set(parts ricochetConfig.cmake ricochetConfigVersion.cmake src/cli/ricochet)
+set(parts ricochetConfig.cmake ricochetConfigVersion.cmake src/app/ricochet)
 foreach(library core carrier_track classic problems seen_problem solvers)
   list(APPEND parts */libricochet_${library}.a)
 endforeach()

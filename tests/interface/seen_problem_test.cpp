@@ -1,4 +1,4 @@
-#include "src/app/interface/seen_problem.h"
+#include "src/core/seen_problem.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

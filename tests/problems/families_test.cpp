@@ -14,7 +14,7 @@
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 #include "src/studies/suite/families.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet {
 namespace {
@@ -57,7 +57,7 @@ TEST(Families, HaveProblemsThatHoldTogether) {
   }
 }
 
-/// As measured: see gradient_cost.h.
+/// As measured: see profile.h.
 TEST(Families, KnowWhatAGradientTakes) {
   std::map<std::string, std::int64_t> costs;
   for (const Family& family : families()) {

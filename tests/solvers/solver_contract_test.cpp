@@ -13,7 +13,7 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -121,14 +121,14 @@ Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& refe
 int collisions(const Scene& scene, const Outcome& outcome);
 
 /// The walls that end a flight [m]; the upper one may be at infinity.
-struct Bias {
+struct WallPositions {
   double lower, upper;
 };
 
 /// What a flight method needs to know of a scene.
 struct FlightSetting {
   Forces forces;
-  Bias gap;
+  WallPositions gap;
   double window;  ///< [s]
   double length;  ///< [m]; absolute tolerances are the relative one times this (and [m/s] alike)
 };
@@ -227,7 +227,7 @@ double fall(Function f, double lower, double upper) {
 }
 
 /// How far `position` is from the wall in `direction` [m], negative behind it.
-inline double distance_ahead(const Bias& gap, int direction, double position) {
+inline double distance_ahead(const WallPositions& gap, int direction, double position) {
   return direction > 0 ? gap.upper - position : position - gap.lower;
 }
 
@@ -237,7 +237,7 @@ inline double distance_ahead(const Bias& gap, int direction, double position) {
 /// sign, also at the velocity zero. So an event that starts and ends between two velocity zeros of
 /// one step is missed.
 template <class Path, class Pull>
-std::optional<Landing> first_event(const Bias& gap, bool turn_ends, int& direction, double begin,
+std::optional<Landing> first_event(const WallPositions& gap, bool turn_ends, int& direction, double begin,
                                    double end, const State& at_end, Path path, Pull pull) {
   const auto reach = [&](double from, double to) {
     const auto distance = [&](double t) {
@@ -268,7 +268,7 @@ std::optional<Landing> first_event(const Bias& gap, bool turn_ends, int& directi
 /// `step` is the first step tried [s] and becomes the last one that the stepper proposes; `steps`
 /// is incremented.
 template <class Vector, class Stepper, class System, class Pull>
-Landing fly_dense(Stepper& stepper, const System& system, Pull pull, const Bias& gap,
+Landing fly_dense(Stepper& stepper, const System& system, Pull pull, const WallPositions& gap,
                   bool turn_ends, const Leg& leg, Vector& workspace, double& step,
                   std::int64_t& steps) {
   const auto path = [&](double time) {

@@ -31,7 +31,7 @@ inline constexpr std::size_t oracle_impact_cap = 2000;
 /// Simulates fidelity `impact` at constant omega, for a valid scene: hard walls, Newton
 /// restitution, set-valued Coulomb friction. Independent of the impact model, with which it shares
 /// neither code nor method: 80-bit long double, the closed forms of push.h, and roots isolated by
-/// first_fall.h. A grazing impact is decided by the distance to the wall at the turning point
+/// body.h. A grazing impact is decided by the distance to the wall at the turning point
 /// itself. The rest of a Zeno sequence is omitted only if it is proved that the body comes to rest
 /// on the wall before the force changes direction, with no impact faster than a thousandth of
 /// `counting_limit`, and, if maxima count, before the window ends. Throws std::invalid_argument for

@@ -7,7 +7,7 @@
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// Flights by Boost.Odeint's rosenbrock4. Separate from odeint_rosenbrock4.cpp, because its source
+/// Flights by Boost.Odeint's rosenbrock4. Separate from odeint.cpp, because its source
 /// must be C++17.
 std::unique_ptr<FlightMethod> rosenbrock_flight(const FlightSetting& setting, double tolerance);
 

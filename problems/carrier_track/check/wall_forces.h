@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-// NOTE: plain C++17, like flight_method.h and dense_flight.h: Boost.Odeint's rosenbrock4 does not
+// NOTE: plain C++17, like integrator.h and integrator.h: Boost.Odeint's rosenbrock4 does not
 // compile as C++20, and scene.h needs concepts.
 namespace ricochet::carrier_track::inline scene {
 

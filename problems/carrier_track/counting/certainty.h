@@ -21,7 +21,7 @@
 namespace ricochet::carrier_track::inline counting {
 
 /// Records of a simulation, for comparison with that of a slightly different scene: its features
-/// (collisions.h), impacts and nearest graze.
+/// (count.h), impacts and nearest graze.
 class FeatureTrace : public Observer {
  public:
   struct Feature {
@@ -215,7 +215,7 @@ class Neighbours {
 
 // Tests whether a count is certain. A scene's constants are known to a few digits only, and a
 // simulation rounds. So the scene is simulated again with all constants changed at once in their
-// tenth digit (perturbation.h), and the features of the motion (collisions.h) are compared one by
+// tenth digit (perturbation.h), and the features of the motion (count.h) are compared one by
 // one. A count is certain if such a change makes no feature start or stop to count. A count is not
 // certain if infinitely many maxima count, if the change makes the walls cross, or if numbers
 // overflow.

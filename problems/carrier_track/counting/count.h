@@ -202,7 +202,7 @@ class EnergyLost : public Observer {
 /// The wear of a valid scene [mJ]: the energy that all impacts of the window dissipate in track and
 /// carrier (wear increases with the work done: Archard, J. Appl. Phys. 24 (1953) 981). It is smooth
 /// where the count jumps: a new impact appears with speed 0, or enters at the end of the window,
-/// where its weight is 0 (collisions.h). The energy of impacts slower than resting_speed is
+/// where its weight is 0 (count.h). The energy of impacts slower than resting_speed is
 /// omitted. `also` observes the simulation too.
 template <class Scalar, class Also>
 Scalar wear(const BasicScene<Scalar>& scene, Also& also) {

@@ -13,7 +13,7 @@
 #include "src/core/in_parallel.h"
 
 /// objective() for many scenes, with the same bits. If possible they are simulated side by side
-/// (impact_lanes.h), which is several times as fast. Neighbours should be similar.
+/// (impact_model.h), which is several times as fast. Neighbours should be similar.
 namespace ricochet::carrier_track::inline counting {
 
 /// Counts as objective() does under the rule of impacts, without its logarithm.
@@ -88,7 +88,7 @@ class MotionSketch {
   struct Feature {
     Kind kind;
     Sloped share;   ///< share of the window that has passed
-    Sloped margin;  ///< of an impact: see collisions.h; of a graze: its distance / clearance
+    Sloped margin;  ///< of an impact: see count.h; of a graze: its distance / clearance
   };
   class Watch;
 

@@ -24,7 +24,7 @@ struct Claim {
 };
 
 // Defines the threshold of a staircase of counts, and the other parts of the score of an
-// interpretation of the paper (paper.md, section 6).
+// interpretation of the paper.
 
 /// The collision count at a speed [rad/s]. May be called from several threads at once.
 using CountAt = std::function<int(double omega)>;
@@ -102,7 +102,7 @@ inline double quiet_limit(int quiet_count) {
   return 1.5 * quiet_count;
 }
 
-/// Collision count of a valid scene at a speed [rad/s]. For many scenes or speeds: counts.h.
+/// Collision count of a valid scene at a speed [rad/s]. For many scenes or speeds: count_scan.h.
 int count_at(const Scene& scene, double omega);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -241,7 +241,7 @@ Hessian hessian_of(const Function& f, const Vector& x) {
 // The sums over the events of a motion that problems minimise. Each makes the observer that adds
 // up a motion of `scene`, which must outlive it, for every scalar type; its total() is the sum.
 
-/// objective_s of collisions.h.
+/// objective_s of count.h.
 struct SurrogateSum {
   double smoothing;
 
@@ -251,7 +251,7 @@ struct SurrogateSum {
   }
 };
 
-/// The wear [mJ] of wear.h.
+/// The wear [mJ] of count.h.
 struct WearSum {
   template <class Scalar>
   EnergyLost<Scalar> over(const BasicScene<Scalar>& scene) const {

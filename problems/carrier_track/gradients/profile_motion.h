@@ -131,7 +131,7 @@ struct LinearLeg {
   LegResponse<Scalar> response{};
 };
 
-// What an adjoint sweep needs of a sum over the events of a motion, an EventSum of event_sums.h.
+// What an adjoint sweep needs of a sum over the events of a motion, an EventSum of derivatives.h.
 
 /// The derivatives of the term of one event with respect to its time [s] and to its state: the
 /// approach speed of an impact [m/s], or the position of a turning point [m].

@@ -46,7 +46,7 @@ Matrix shape_curvature(const EventSum& of, const Scene& scene, const ShapedKnots
   return detail::shape_curvature(scene, std::move(motion), terms, knots, directions);
 }
 
-/// The objective of collisions.h at a constant speed, x[0] [rad/s]; a Function of derivatives.h.
+/// The objective of count.h at a constant speed, x[0] [rad/s]; a Function of derivatives.h.
 struct ObjectiveAtSpeed {
   static constexpr int jet_size = 1;
 

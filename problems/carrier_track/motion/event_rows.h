@@ -8,7 +8,7 @@
 
 namespace ricochet::carrier_track::inline events {
 
-/// See step_bound.h.
+/// See event.cpp.
 template <class Row>
 Row step_bound(const Row& value, const Row& slope, const Row& bound) {
   const Row root = stdx::sqrt(slope * slope + 2 * bound * value);

@@ -89,7 +89,7 @@ struct SteadyFriction {
 /// flights in closed form between events. A derived class defines the order of the events.
 ///
 /// Scalar may be a dual number, or a type with more digits than double. Events are then located in
-/// plain arithmetic and refined to the accuracy of Scalar (event_refinement.h), so that event times
+/// plain arithmetic and refined to the accuracy of Scalar (event.h), so that event times
 /// and all later values have exact derivatives.
 template <class Scalar, class Forces, class Friction = SteadyFriction<Scalar>>
 class HardWallMotion {

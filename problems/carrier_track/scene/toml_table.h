@@ -20,7 +20,7 @@ struct Uncertain {
   std::vector<Uncertainty> found = {};  ///< those read so far
 };
 
-/// One table of a TOML file. A number may be a text with a unit, see quantity.h, and either may be
+/// One table of a TOML file. A number may be a text with a unit, see toml_table.h, and either may be
 /// a table {value = ..., plus_minus = ...}. An invalid entry throws InputError with origin (the
 /// file), table, key, value and the allowed values.
 class TomlTable {

@@ -74,7 +74,7 @@ std::string write_best_values(const BestValues& values) {
 
 const BestValues& best_values() {
   static const BestValues values = parse_best_values(
-      embedded::best_known_text, "problems/carrier_track/problems/best_known.toml");
+      embedded::best_known_text, "problems/carrier_track/suite/best_known.toml");
   return values;
 }
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "problems/searched_problem.h"
+#include "src/core/searched_problem.h"
 #include "ricochet/problem.h"
 
 namespace ricochet::carrier_track::inline problems {

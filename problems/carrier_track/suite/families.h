@@ -5,7 +5,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 
-/// The problems of the carrier track, all from the single objective of collisions.h.
+/// The problems of the carrier track, all from the single objective of count.h.
 namespace ricochet::carrier_track::inline problems {
 
 /// Every family of problems, for these machines.

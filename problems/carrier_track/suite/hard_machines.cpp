@@ -94,7 +94,7 @@ std::string write_hard_machines(const HardMachines& found) {
 
 const HardMachines& found_hard_machines() {
   static const HardMachines found = parse_hard_machines(
-      embedded::hard_machines_text, "problems/carrier_track/problems/hard_machines.toml");
+      embedded::hard_machines_text, "problems/carrier_track/suite/hard_machines.toml");
   return found;
 }
 

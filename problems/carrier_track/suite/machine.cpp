@@ -292,7 +292,7 @@ std::optional<SearchedProblem> drawn_problem(const Problem& problem, int number)
 
 const Scene& default_machine() {
   static const Scene machine = parse_scene(embedded::default_machine_text,
-                                           "problems/carrier_track/problems/default_machine.toml");
+                                           "problems/carrier_track/suite/default_machine.toml");
   return machine;
 }
 

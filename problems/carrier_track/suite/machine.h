@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/searched_problem.h"
+#include "src/core/searched_problem.h"
 #include "ricochet/scene.h"
 #include "src/core/names.h"
 

@@ -59,7 +59,7 @@ ShapedKnots shaped_knots(const Scene& scene, const Vector& shape);
 /// has them.
 Problem profile_count_problem(const Machine& machine, std::size_t n);
 
-/// Minimise the wear (wear.h) over the shape, with derivatives.
+/// Minimise the wear (count.h) over the shape, with derivatives.
 Problem profile_wear_problem(const Machine& machine, std::size_t n);
 
 /// The cost of a gradient by dual numbers beside the value [evaluations], rounded up:

@@ -45,12 +45,12 @@ double price_on(const Problem& problem, Price price) {
 }
 
 /// What a run requests until its problem is solved; ten times its total if it never solves it.
-struct Asked {
+struct Requests {
   double values = 0, gradients = 0, seconds = 0;
 };
 
-Asked asked_by(const CellResult& result) {
-  Asked mean;
+Requests requests_of(const CellResult& result) {
+  Requests mean;
   const auto runs = static_cast<double>(result.outcomes.size());
   for (const Outcome& outcome : result.outcomes) {
     // The ledger does not record when each request was made: we assume a constant rate.
@@ -73,14 +73,14 @@ struct Spent {
 
 Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
   const auto variables = static_cast<double>(problem.dimension());
-  std::vector<Asked> asked;
+  std::vector<Requests> asked;
   Spent spent;
   for (const Entry& entry : set.entries) {
-    const Asked& one = asked.emplace_back(asked_by(*entry.results[q]));
+    const Requests& one = asked.emplace_back(requests_of(*entry.results[q]));
     const double evaluations = one.values + price_on(problem, Price::measured) * one.gradients;
     if (evaluations > 0) spent.simulation = std::min(spent.simulation, one.seconds / evaluations);
   }
-  for (const Asked& one : asked) {
+  for (const Requests& one : asked) {
     const double evaluations = one.values + price_on(problem, Price::measured) * one.gradients;
     const double overhead =
         evaluations > 0 ? std::max(one.seconds - evaluations * spent.simulation, 0.0) : one.seconds;

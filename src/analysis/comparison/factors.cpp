@@ -262,7 +262,7 @@ std::vector<CellResult> disturbed(const std::vector<CellResult>& all) {
 }
 
 /// An entry without and with the perturbation.
-struct Change {
+struct PerturbedEntry {
   std::string solver, family;
   Tally before, after;
   double p = 1;  ///< Fisher's exact test, with Holm's correction over all entries
@@ -270,50 +270,50 @@ struct Change {
   double difference() const { return after.share() - before.share(); }
 };
 
-Json change_json(const Change& change) {
+Json change_json(const PerturbedEntry& change) {
   return {{"solver", change.solver},         {"family", change.family},
           {"before", change.before.share()}, {"after", change.after.share()},
           {"runs", change.before.runs},      {"p", change.p}};
 }
 
-Json mean_json(const std::vector<Change>& changes, Tally Change::*when) {
+Json mean_json(const std::vector<PerturbedEntry>& changes, Tally PerturbedEntry::*when) {
   std::vector<double> shares;
-  for (const Change& change : changes) shares.push_back((change.*when).share());
+  for (const PerturbedEntry& change : changes) shares.push_back((change.*when).share());
   const MeanShare mean = mean_share(shares);
   return {{"share", mean.mean}, {"lower", mean.interval.lower}, {"upper", mean.interval.upper}};
 }
 
 /// Returns those that do significantly worse, the most harmed first.
-Json surely_harmed(std::vector<Change>& changes) {
+Json surely_harmed(std::vector<PerturbedEntry>& changes) {
   std::vector<double> p_values;
-  for (const Change& c : changes) {
+  for (const PerturbedEntry& c : changes) {
     p_values.push_back(
         fisher_exact_test({c.before.solved, c.before.runs}, {c.after.solved, c.after.runs}));
   }
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t i = 0; i < changes.size(); ++i) changes[i].p = adjusted[i];
-  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+  std::stable_sort(changes.begin(), changes.end(), [](const PerturbedEntry& a, const PerturbedEntry& b) {
     return a.difference() < b.difference();
   });
   Json harmed = Json::array();
-  for (const Change& c : changes) {
+  for (const PerturbedEntry& c : changes) {
     if (c.p < level && c.difference() < 0) harmed.push_back(change_json(c));
   }
   return harmed;
 }
 
-Json summary_of(const Perturbation& perturbation, std::vector<Change>& changes) {
+Json summary_of(const Perturbation& perturbation, std::vector<PerturbedEntry>& changes) {
   std::vector<double> differences;
-  for (const Change& change : changes) differences.push_back(change.difference());
+  for (const PerturbedEntry& change : changes) differences.push_back(change.difference());
   Json harmed = surely_harmed(changes);
   const auto sturdy = std::max_element(
       changes.begin(), changes.end(),
-      [](const Change& a, const Change& b) { return a.after.share() < b.after.share(); });
+      [](const PerturbedEntry& a, const PerturbedEntry& b) { return a.after.share() < b.after.share(); });
   return {{"perturbation", perturbation.name},
           {"summary", perturbation.summary},
           {"entries", changes.size()},
-          {"before", mean_json(changes, &Change::before)},
-          {"after", mean_json(changes, &Change::after)},
+          {"before", mean_json(changes, &PerturbedEntry::before)},
+          {"after", mean_json(changes, &PerturbedEntry::after)},
           {"p", signed_rank_test(differences)},
           {"harmed_count", harmed.size()},
           {"harmed", harmed.empty() ? Json() : harmed.front()},
@@ -359,7 +359,7 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
   Json names = Json::array();
   Json summaries = Json::array();
   Json rows = Json::array();
-  std::map<std::string, std::vector<Change>> changes;
+  std::map<std::string, std::vector<PerturbedEntry>> changes;
   std::vector<const Perturbation*> perturbations;
   for (const Perturbation& perturbation : all_perturbations()) {
     if (!there.contains(perturbation.name)) continue;

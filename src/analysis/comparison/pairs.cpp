@@ -269,7 +269,7 @@ Json log_ratio_data(const Campaign& campaign, const std::vector<EntrySet>& sets)
 
 namespace {
 
-constexpr double solves = 0.5;  // of the runs
+constexpr double solving_share = 0.5;  // of the runs
 constexpr double significant_split = 0.05;
 constexpr std::size_t fewest = 3;  // entries with a property, and without
 
@@ -336,7 +336,7 @@ Json separation_data(const Comparison& comparison, std::size_t problem) {
   }
   Json data = {{"entries", entries.size()},
                {"solving", std::ranges::count_if(
-                               entries, [](const Solved& entry) { return entry.share >= solves; })},
+                               entries, [](const Solved& entry) { return entry.share >= solving_share; })},
                {"separates", nullptr},
                {"those", nullptr},
                {"others", nullptr}};

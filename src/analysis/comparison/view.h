@@ -24,8 +24,8 @@ namespace ricochet::studies::comparison {
 /// budget (evaluations for each variable). Its member `problems` has a 1 for each problem of the
 /// family that it takes and a 0 for others, or is empty if it takes all. Its runs are in the order
 /// of the problems, then of the instances, then of the seeds; how they are written is in
-/// view_run.h. `orders` has a text for each family, perturbation, price and budget, in the order of
-/// the entries: how the runs that miss targets are ranked, see view_order.h. A family's `joint` is
+/// view.h. `orders` has a text for each family, perturbation, price and budget, in the order of
+/// the entries: how the runs that miss targets are ranked, see view.h. A family's `joint` is
 /// the budget with which it is among "all", see joint_entry_set. A run is in the part of the plan
 /// that asks for it first. `known`: the solvers of the suite.
 report::Json view_data(const Campaign& campaign, const std::vector<CellResult>& results,

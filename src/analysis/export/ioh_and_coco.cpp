@@ -54,9 +54,9 @@ std::int64_t after(std::int64_t count) {
 }
 
 /// Files of one algorithm on one problem.
-class Case {
+class CocoCase {
  public:
-  Case(const comparison::JudgedRun& first, const Completeness& completeness, Numbering& numbering,
+  CocoCase(const comparison::JudgedRun& first, const Completeness& completeness, Numbering& numbering,
        const fs::path& folder)
       : comment_(completeness.is_in_doubt() ? "of a campaign of ricochet: " + in_words(completeness)
                                             : "of ricochet"),
@@ -142,7 +142,7 @@ class Case {
 void write_coco(const Store& store, const Completeness& completeness, const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
-  std::optional<Case> now;
+  std::optional<CocoCase> now;
   comparison::each_judged(
       store,
       [&](const comparison::JudgedRun& run) {
@@ -186,9 +186,9 @@ runs count with all their evaluations, identical runs count once, intervals are 
 )";
 
 /// Files of one algorithm on one problem.
-class Case {
+class IohCase {
  public:
-  Case(const comparison::JudgedRun& first, const CampaignDescription& campaign,
+  IohCase(const comparison::JudgedRun& first, const CampaignDescription& campaign,
        const Completeness& completeness, Numbering& numbering, const fs::path& folder)
       : root_(folder / numbering.algorithm(first.stored.key.cell)),
         stem_(fmt::format("f{}_{}", numbering.function_id(first.problem.name),
@@ -280,7 +280,7 @@ void write_iohanalyzer(const Store& store, const Completeness& completeness,
                        const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
-  std::optional<Case> now;
+  std::optional<IohCase> now;
   comparison::each_judged(
       store,
       [&](const comparison::JudgedRun& run) {

@@ -14,7 +14,7 @@
 #include "ricochet/evaluator.h"
 #include "ricochet/random.h"
 #include "src/app/interface/interface.h"
-#include "src/app/interface/seen_problem.h"
+#include "src/core/seen_problem.h"
 
 namespace ricochet::interface {
 

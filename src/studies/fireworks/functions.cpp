@@ -100,8 +100,8 @@ namespace {
 
 using report::Json;
 
-constexpr Eigen::Index dimension = 30;
-constexpr std::int64_t evaluations = 10'000;
+constexpr Eigen::Index shift_dimension = 30;
+constexpr std::int64_t shift_evaluations = 10'000;
 
 /// An optimum at more than this distance from the origin is far; a solver that is much worse there
 /// is biased.
@@ -116,13 +116,13 @@ Json shift_data(int runs) {
   std::vector<Entry> entries;
   for (const Solver& member : members) {
     for (const Json& row : table["rows"]) {
-      const Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
+      const Problem problem = shifted_sphere(row["shift"].get<double>(), shift_dimension);
       entries.push_back({member, [problem] { return problem; }});
     }
   }
-  const auto errors = errors_of(entries, evaluations, runs, "shifted sphere");
+  const auto errors = errors_of(entries, shift_evaluations, runs, "shifted sphere");
   Json data = {
-      {"source", table["source"]}, {"evaluations", evaluations}, {"runs", runs},
+      {"source", table["source"]}, {"evaluations", shift_evaluations}, {"runs", runs},
       {"shifts", table["rows"]},   {"solvers", Json::array()},   {"biased", Json::array()}};
   std::size_t next = 0;
   for (const Solver& member : members) {

@@ -16,7 +16,7 @@
 #include "src/studies/fireworks/functions.h"
 
 #ifdef RICOCHET_HAS_PAGMO
-#include "src/research/fireworks/cec2013.h"
+#include "src/studies/fireworks/cec2013.h"
 #endif
 
 namespace ricochet::studies::fireworks {
@@ -39,7 +39,7 @@ std::vector<Entry> entries_of(const Json& rows, const std::vector<Solver>& membe
 }
 
 /// All except the interpretations of the paper, which are at most as good as Tan and Zhu's program.
-std::vector<Solver> contenders() {
+std::vector<Solver> members_to_compare() {
   std::vector<Solver> members;
   for (Solver& member : ricochet::fireworks::family()) {
     const bool interpretation = member.name == "fireworks" || member.name == "fireworks-as-printed";
@@ -64,7 +64,7 @@ Json cell_of(const std::vector<double>& errors, const Json& row, const std::stri
 
 Json competition_data(int runs, std::int64_t evaluations) {
   const Json& table = published()["cec2013"];
-  const std::vector<Solver> members = contenders();
+  const std::vector<Solver> members = members_to_compare();
   const std::vector<Entry> entries = entries_of(table["rows"], members);
   Json data = {{"source", table["source"]},
                {"evaluations", evaluations},
@@ -147,7 +147,7 @@ bool agrees(const Moments& moments, const OtherMean& other) {
 
 namespace {
 
-constexpr std::int64_t evaluations = 1000;
+constexpr std::int64_t plateau_evaluations = 1000;
 
 template <class OfDistance>
 Problem landscape(std::string name, double target, OfDistance of_distance) {
@@ -217,7 +217,7 @@ Json plateau_data(int runs) {
       }
     }
   }
-  const auto errors = errors_of(entries, evaluations, runs, "plateaus");
+  const auto errors = errors_of(entries, plateau_evaluations, runs, "plateaus");
   Json landscapes = Json::array();
   std::size_t next = 0;
   for (const auto& make : {needle, logarithmic_staircase}) {
@@ -234,7 +234,7 @@ Json plateau_data(int runs) {
                           {"solvers", std::move(solvers)}});
   }
   return {{"source", published()["plateau"]["source"]},
-          {"evaluations", evaluations},
+          {"evaluations", plateau_evaluations},
           {"runs", runs},
           {"targets", targets},
           {"landscapes", std::move(landscapes)}};
@@ -249,8 +249,8 @@ namespace {
 
 using namespace ricochet::fireworks;
 
-constexpr Eigen::Index dimension = 30;
-constexpr std::int64_t evaluations = 10'000;
+constexpr Eigen::Index table_dimension = 30;
+constexpr std::int64_t table_evaluations = 10'000;
 
 /// A mean below this is printed as 0.000000.
 constexpr double zero = 5e-7;
@@ -288,7 +288,7 @@ Json cells_of(const std::vector<Interpretation>& interpretations, const Problem&
     entries.push_back({ricochet::fireworks::fireworks(interpretation.name, interpretation.options),
                        [problem] { return problem; }});
   }
-  const auto errors = errors_of(entries, evaluations, runs, problem.name);
+  const auto errors = errors_of(entries, table_evaluations, runs, problem.name);
   Json cells = Json::array();
   for (std::size_t i = 0; i < interpretations.size(); ++i) {
     cells.push_back({{"name", interpretations[i].name}});
@@ -312,7 +312,7 @@ void compare(Json& cells, const Json& row, int published_runs) {
 Json table_3_data(int runs) {
   const Json& table = published()["table_3"];
   Json data = {{"source", table["source"]},
-               {"evaluations", evaluations},
+               {"evaluations", table_evaluations},
                {"runs", runs},
                {"published_runs", table["runs"]},
                {"interpretations", Json::array()},
@@ -327,7 +327,7 @@ Json table_3_data(int runs) {
     data["successors"].push_back(interpretation.name);
   int zeros = 0;
   for (Json row : table["rows"]) {
-    const Problem problem = benchmark_function(row["function"].get<std::string>(), dimension);
+    const Problem problem = benchmark_function(row["function"].get<std::string>(), table_dimension);
     row["cells"] = cells_of(interpretations(), problem, row, runs);
     row["successors"] = cells_of(successors(), problem, row, runs);
     compare(row["cells"], row, table["runs"].get<int>());

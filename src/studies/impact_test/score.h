@@ -12,7 +12,7 @@
 namespace ricochet::studies::impact_test {
 
 /// An answer compared with the truth. An impact counts if it is faster than the scene's `slowest`.
-/// A partner (match.h) is at most half a mean time between impacts away, and needs only half that
+/// A partner (score.h) is at most half a mean time between impacts away, and needs only half that
 /// speed: so an impact just above the limit that a tool finds just below it is neither missed nor,
 /// the other way round, invented.
 ///

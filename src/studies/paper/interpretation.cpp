@@ -363,7 +363,7 @@ std::string write_fitted_interpretation(const FittedInterpretation& fitted) {
 
 const FittedInterpretation& default_interpretation() {
   static const FittedInterpretation interpretation = parse_fitted_interpretation(
-      embedded::default_interpretation_text, "src/research/paper/interpretation.toml");
+      embedded::default_interpretation_text, "src/studies/paper/interpretation.toml");
   return interpretation;
 }
 

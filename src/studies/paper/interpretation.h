@@ -15,7 +15,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/scene.h"
 
-/// The questions that the paper leaves open (paper.md, section 5). The first answer to each is that
+/// The questions that the paper leaves open (docs/paper.md). The first answer to each is that
 /// of the simplest model.
 namespace ricochet::carrier_track::inline paper {
 

@@ -243,10 +243,10 @@ std::vector<SpeedCell> speed_cells(double threshold) {
 LossParts loss_parts(const CoarseScore& s, const Claim& claim) {
   const double quiet = *claim.quiet_count;
   return {tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15),
-          tamed(std::max(0.0, 0.9 - s.purity) / 0.15),
+          tamed(std::max(0.0, least_purity - s.purity) / 0.15),
           tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05),
-          tamed(std::max(0.0, s.misclassified - 0.02) / 0.05),
-          tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2),
+          tamed(std::max(0.0, s.misclassified - most_misclassified) / 0.05),
+          tamed(std::max(0.0, std::log(least_loudness / std::max(s.loudness, 0.3))) / 0.2),
           2.0 * s.wrong_examples,
           3 * s.shape};
 }

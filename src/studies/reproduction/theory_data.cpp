@@ -431,7 +431,8 @@ std::vector<double> log_thresholds(const std::vector<Case>& cases) {
 report::Json bound_data() {
   const std::vector<Case> cases = cases_with_threshold();
   const std::vector<double> logs = log_thresholds(cases);
-  const std::vector<Response> all = responses(cases);
+  std::vector<Response> all = responses(cases);
+  std::ranges::sort(all, std::greater(), &Response::first_share);
   const auto row = [](const char* premise, const OrderBound& bound) -> report::Json {
     return {{"premise", premise},
             {"largest", std::expm1(bound.largest)},
@@ -440,7 +441,6 @@ report::Json bound_data() {
   report::Json steepest = report::list_of(all, [](const Response& r) -> report::Json {
     return {{"first", r.cases.front().id}, {"first_share", r.first_share}};
   });
-  std::ranges::sort(steepest, std::greater(), [](const auto& r) { return r["first_share"]; });
   return {
       {"rows",
        {row("in the order that the paper concludes", isotonic_bound(logs, concluded_order(cases))),

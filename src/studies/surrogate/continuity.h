@@ -46,7 +46,7 @@ Segment random_segment(const carrier_track::Scene& scene, Random& random);
 /// The jumps on one segment.
 struct Jumps {
   bool of_count;     ///< true if the count differs between some of 17 points
-  double surrogate;  ///< the largest between neighbouring numbers, see largest_jump.h
+  double surrogate;  ///< the largest between neighbouring numbers, see continuity.h
   /// The surrogate's change between the neighbouring numbers where the number of strikes changes,
   /// i.e. of impacts on another wall than the previous one: where a wall is touched, or the window
   /// ends. Nothing if that number is the same at all points.

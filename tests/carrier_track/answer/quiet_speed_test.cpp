@@ -10,7 +10,7 @@
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
-#include "tests/carrier_track/problems/planar_second_case.h"
+#include "tests/carrier_track/suite/planar_second_case.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -12,7 +12,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "src/studies/surrogate/continuity.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -54,7 +54,7 @@ TEST(Collisions, FadesToTheEndOfTheWindowWithoutACorner) {
 }
 
 TEST(Collisions, CountsWhatTheExploratoryStudyCounted) {
-  // paper.md, section 6, starting interpretation.
+  // The interpretation that the calibration starts from.
   constexpr std::array<double, 7> speeds = {1, 2, 3, 5, 9, 13, 17};
   struct Row {
     std::string id;

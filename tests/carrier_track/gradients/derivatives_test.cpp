@@ -16,7 +16,7 @@
 #include "ricochet/machine.h"
 #include "src/core/numeric.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -159,7 +159,7 @@ double force(const Scene& scene, double t) {
 
 TEST(Derivatives, WithRespectToTheStartAreAProductOfSaltationMatrices) {
   // Without friction every flight takes (x, v) on by [[1, t], [0, 1]], and an impact at velocity v
-  // under the force a by [[-e, 0], [-(1 + e) a / v, -e]] (contact.md).
+  // under the force a by [[-e, 0], [-(1 + e) a / v, -e]]: the saltation matrix of a bounce.
   RandomScenes draws(1);
   int compared = 0;
   for (int i = 0; i < 200; ++i) {

@@ -17,7 +17,7 @@
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {

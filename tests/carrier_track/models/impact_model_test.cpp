@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A ball dropped from 50 m on a floor at 0; contact.md, bouncing ball.
+/// A ball dropped from 50 m on a floor at 0: its impacts are a geometric series.
 Scene bouncing_ball() {
   Scene scene;
   scene.wall_upper = infinity;
@@ -38,7 +38,7 @@ TEST(ImpactModel, BouncingBallStrikesAtTheClosedFormTimes) {
     expect_close(watched.hits[k].speed, 9.8 * first * power);
     EXPECT_EQ(watched.hits[k].wall, Wall::lower);
   }
-  // The same times as printed in contact.md, fifteen digits.
+  // The same times from the closed form by another program, fifteen digits.
   EXPECT_NEAR(watched.hits[0].time, 3.1943828249997, 1e-13);
   EXPECT_NEAR(watched.hits[1].time, 8.30539534499922, 1e-13);
   EXPECT_NEAR(watched.hits[2].time, 12.3942053609988, 1e-12);

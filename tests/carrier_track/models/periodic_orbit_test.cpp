@@ -55,7 +55,7 @@ double spectral_radius(const Eigen::Matrix2d& map) {
 constexpr double gravity = 9.81;
 
 /// A ball on a table of peak acceleration `strength` gravity, on the orbit that strikes every
-/// n-th period; contact.md.
+/// n-th period.
 Scene on_table(double strength, double e, int n) {
   const double cosine = n * pi * (1 - e) / ((1 + e) * strength);
   Scene scene = shaken(strength * gravity / (shaking * shaking), std::acos(cosine), e);
@@ -82,7 +82,7 @@ TEST(PeriodicOrbit, ABallOnAShakenTableStrikesOncePerPeriod) {
 }
 
 TEST(PeriodicOrbit, TheBallOnATableDoublesItsPeriodAtTheClosedFormStrength) {
-  EXPECT_NEAR(doubling_strength(0.5, 1), 1.526823700519, 5e-13);  // as printed in contact.md
+  EXPECT_NEAR(doubling_strength(0.5, 1), 1.526823700519, 5e-13);  // by another program, in extended precision
   for (const double e : {0.2, 0.5, 0.8}) {
     for (const int n : {1, 2}) {
       const double strength = doubling_strength(e, n);
@@ -120,7 +120,7 @@ TEST(PeriodicOrbit, TheBallOnATableSettlesBelowTheBoundaryAndAlternatesAboveIt) 
 }
 
 /// A free body between two shaken walls, a gap of `ratio` amplitudes apart, leaving the upper wall
-/// on the symmetric orbit of the greater speed; contact.md.
+/// on the symmetric orbit of the greater speed.
 Scene between_walls(double ratio, double e) {
   const double amplitude = 0.01;
   const double gap = ratio * amplitude;
@@ -162,7 +162,7 @@ TEST(PeriodicOrbit, ABodyBetweenShakenWallsStrikesOncePerHalfPeriod) {
 
 TEST(PeriodicOrbit, TheOrbitBetweenShakenWallsIsStableBetweenItsClosedFormBounds) {
   const double third = (1 - 0.5) / (1 + 0.5);
-  EXPECT_NEAR(lowest_ratio(third), 2.5999655236, 5e-11);  // as printed in contact.md
+  EXPECT_NEAR(lowest_ratio(third), 2.5999655236, 5e-11);  // by another program, in extended precision
   EXPECT_NEAR(highest_ratio(third), 9.6346478716, 5e-11);
   for (const double e : {0.3, 0.5, 0.8}) {
     const double rho = (1 - e) / (1 + e);

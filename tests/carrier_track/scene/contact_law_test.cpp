@@ -23,7 +23,7 @@ long double distance(long double d, long double e) {
 }
 
 TEST(ContactLaw, ExactDissipationHasThePublishedDigits) {
-  // contact.md, six digits.
+  // From the published formulas, computed apart, six digits.
   EXPECT_NEAR(dissipation(ContactLaw::exact_restitution, 0.1), 9.99816, 5e-6);
   EXPECT_NEAR(dissipation(ContactLaw::exact_restitution, 0.5), 1.43275, 5e-6);
   EXPECT_NEAR(dissipation(ContactLaw::exact_restitution, 0.9), 0.166482, 5e-7);

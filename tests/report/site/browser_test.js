@@ -178,7 +178,7 @@ for (const name of pages.filter((file) => fs.readFileSync(path.join(folder, file
 const machine = path.join(folder, "machine.toml"), advised = path.join(folder, "advice");
 fs.writeFileSync(machine, execFileSync(program, ["machine", "new"]));
 execFileSync(program, ["machine", "advise", machine, "--out", advised]);
-// Tables of records as the records, see src/report/record_table.h.
+// Tables of records as the records, see src/report/page_template.h.
 const unpacked = (data) => {
   if (Array.isArray(data)) return data.map(unpacked);
   if (data === null || typeof data !== "object") return data;

@@ -10,7 +10,7 @@
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 
@@ -50,7 +50,7 @@ inline Scene paper_scene(const std::string& id, double omega) {
   return scene;
 }
 
-/// A ball dropped from 50 m on a floor at 0; contact.md, bouncing ball.
+/// A ball dropped from 50 m on a floor at 0: its impacts are a geometric series.
 inline Scene bouncing_ball() {
   Scene scene;
   scene.wall_upper = infinity;
@@ -82,7 +82,7 @@ inline Scene block() {
 inline constexpr double block_friction = 0.25 * 2.0 / 0.8;  // [m/s^2]
 
 /// A free mass between two shaken walls, e = 0.5, on its way to the stable symmetric orbit with two
-/// impacts a period; contact.md, gap 5 amplitudes.
+/// impacts a period; the gap has 5 amplitudes.
 inline Scene shaken_gap() {
   const double amplitude = 2e-4;                         // [m]
   const double frequency = 2 * std::numbers::pi * 10.0;  // [rad/s]

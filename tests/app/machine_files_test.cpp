@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/toml_table.h"
+#include "tests/app/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+/// A row of the table of the scene's keys; its cells after the keys.
+struct Row {
+  std::string unit, allowed, missing;
+};
+
+/// The rows by table and key, such as "scene.mass".
+std::map<std::string, Row> rows_of_scene_keys() {
+  std::map<std::string, Row> rows;
+  std::string table;
+  std::istringstream lines(read(RICOCHET_SOURCE "/docs/machine-files.md"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) table.clear();
+    if (line.starts_with("| **[")) table = line.substr(5, line.find(']') - 5);
+    if (table.empty() || !line.starts_with("| `")) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line.substr(1));
+    for (std::string cell; std::getline(row, cell, '|');) {
+      const auto first = cell.find_first_not_of(' ');
+      cells.push_back(first == std::string::npos
+                          ? ""
+                          : cell.substr(first, cell.find_last_not_of(' ') + 1 - first));
+    }
+    if (cells.size() != 4) throw std::runtime_error("not a row of four cells: " + line);
+    std::istringstream keys(cells[0]);
+    std::string key;
+    while (std::getline(keys, key, '`') && std::getline(keys, key, '`')) {
+      rows[table + "." + key] = {cells[1], cells[2], cells[3]};
+    }
+  }
+  return rows;
+}
+
+std::string in_words(carrier_track::Range range) {
+  switch (range) {
+    case carrier_track::Range::finite:
+      return "finite";
+    case carrier_track::Range::not_negative:
+    case carrier_track::Range::frequency:
+      return ">= 0";
+    case carrier_track::Range::positive:
+      return "> 0";
+    case carrier_track::Range::fraction:
+      return "0..1";
+    case carrier_track::Range::any:
+    case carrier_track::Range::by_rule:
+      break;
+  }
+  return "";
+}
+
+TEST(MachineFiles, DocumentEveryUnit) {
+  const std::string page = read(RICOCHET_SOURCE "/docs/machine-files.md");
+  for (const char* unit : {"m", "m/s", "kg", "kg m", "N", "s", "rad", "rad/s"}) {
+    std::string row = fmt::format("| {} |", unit);
+    for (const std::string_view name : carrier_track::units_for(unit)) {
+      row += fmt::format("{}`{}`", row.ends_with('|') ? " " : ", ", name);
+    }
+    EXPECT_THAT(page, testing::HasSubstr(row + " |\n"));
+  }
+}
+
+TEST(MachineFiles, DocumentEveryFieldOfAScene) {
+  const std::map<std::string, Row> rows = rows_of_scene_keys();
+  // What the list of fields has not as keys of their own: the window, one restitution a wall, and
+  // another way to give a field.
+  std::set<std::string> keys = {"scene.path_radius",       "window.revolutions",
+                                "window.seconds",          "scene.restitution_lower",
+                                "scene.restitution_upper", "across.restitution_lower",
+                                "across.restitution_upper"};
+  const auto expect_row_in = [&](const std::string& table) {
+    return [&rows, &keys, table](const carrier_track::Field& field) {
+      const std::string key = fmt::format("{}.{}", table, field.key);
+      keys.insert(key);
+      ASSERT_TRUE(rows.contains(key)) << key;
+      Row row = rows.at(key);
+      if (row.allowed == "as in [scene]") row = rows.at(fmt::format("scene.{}", field.key));
+      const std::string unit(field.unit == "1" ? "" : field.unit);
+      EXPECT_THAT(row.unit, testing::StartsWith(unit)) << key;
+      EXPECT_EQ(row.unit.empty(), unit.empty()) << key;
+      if (field.key != "wall_lower") {  // whose row is that of both walls
+        EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
+      }
+      EXPECT_EQ(row.missing.starts_with("must be given"),
+                field.presence == carrier_track::Presence::required)
+          << key;
+    };
+  };
+  carrier_track::visit_scene_fields(expect_row_in("scene"));
+  expect_row_in("scene")(carrier_track::path_radius);
+  carrier_track::visit_across_fields(expect_row_in("across"));
+  carrier_track::visit_count_fields(expect_row_in("count"));
+  carrier_track::visit_model_fields(expect_row_in("model"));
+  std::set<std::string> documented;
+  for (const auto& [key, row] : rows) documented.insert(key);
+  EXPECT_EQ(documented, keys);
+}
+
+}  // namespace
+}  // namespace ricochet::cli

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "src/studies/impact_test/score.h"
+#include "src/studies/impact_test/simulator.h"
+#include "tests/studies/impact_test/some_scenes.h"
+
+/// Tools as they are, where they are installed: the others are skipped, and say so.
+namespace ricochet::studies::impact_test {
+namespace {
+
+std::vector<Tool> all_tools() {
+  return tools_in(RICOCHET_SOURCE "/src/studies/impact_test/tools/tools.toml");
+}
+
+TEST(ImpactTools, AreDescribedInFull) {
+  for (const Tool& tool : all_tools()) {
+    EXPECT_TRUE(std::filesystem::exists(tool.source)) << tool.source;
+    for (const std::string& level : tool.levels) EXPECT_NE(level, "") << tool.name;
+    EXPECT_NE(tool.sets, "") << tool.name;
+    EXPECT_NE(tool.advice, "") << tool.name;
+  }
+}
+
+class ImpactTools : public testing::TestWithParam<const char*> {};
+
+TEST_P(ImpactTools, AnswerFiftyScenes) {
+  const std::vector<Tool> tools = all_tools();
+  const auto tool = std::ranges::find(tools, GetParam(), &Tool::name);
+  ASSERT_NE(tool, tools.end());
+  const ScratchFolder folder;
+  const FoundTool found = found_tool(*tool, folder.path());
+  if (!found.program) GTEST_SKIP() << tool->name << " " << found.reason;
+  const Ask ask = simulator_of(*found.program, folder.path()).open(Level::usual);
+  std::vector<ScoredScene> scenes;
+  std::vector<Score> scores;
+  for (int k = 0; k < 50; ++k) {
+    scenes.push_back(drawn_scene(1, k));
+    scores.push_back(score_of(ask(scenes.back()), scenes.back()));
+  }
+  const Tally tally = tally_of(scores, scenes, [](const TestScene&) { return true; });
+  // An error may be the tool's own: SciPy 1.10 finds the same event again in two of these scenes.
+  EXPECT_GE(tally.answered, 45);
+  EXPECT_EQ(tally.answered + tally.cannot + tally.errors, 50);
+  EXPECT_LE(*tally.per_thousand(tally.missed), 100);
+  EXPECT_LE(*tally.per_thousand(tally.invented), 100);
+  EXPECT_GT(*tally.seconds_per_impact, 0);
+}
+
+// What the build and the tests install anyway.
+INSTANTIATE_TEST_SUITE_P(Installed, ImpactTools,
+                         testing::Values("odeint-dopri5", "cvode-adams", "scipy-rk45"));
+
+}  // namespace
+}  // namespace ricochet::studies::impact_test

@@ -1,5 +1,6 @@
 """The wheel is installed by pip into an empty environment, and works there by itself."""
 
+import importlib.metadata
 import os
 import pathlib
 import platform
@@ -7,12 +8,12 @@ import subprocess
 import sys
 import tempfile
 
-try:
-    import build.__main__, numpy, pip, setuptools, venv, wheel  # noqa: E401, F401
-except ImportError as missing:
-    module = missing.name.partition(".")[0]
-    print(f"skipped: this Python has no {module} (Debian: python3-{module})", file=sys.stderr)
-    sys.exit(77)
+for package in ("build", "numpy", "pip", "setuptools", "wheel"):
+    try:
+        importlib.metadata.distribution(package)
+    except importlib.metadata.PackageNotFoundError:
+        print(f"skipped: this Python has no {package} (Debian: python3-{package})", file=sys.stderr)
+        sys.exit(77)
 
 SOURCE = pathlib.Path(os.environ["RICOCHET_SOURCE"])
 BUILD = pathlib.Path(os.environ["RICOCHET_BUILD"])

@@ -1,5 +1,3 @@
-#include "bench/derivatives_bench.h"
-
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/processor_bench.h"
+#include "bench/benchmarks.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
@@ -20,7 +18,7 @@
 #include "ricochet/machine.h"
 #include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::bench {
 

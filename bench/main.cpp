@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/derivatives_bench.h"
-#include "bench/processor_bench.h"
-#include "bench/simulation_bench.h"
+#include "bench/benchmarks.h"
 #include "src/core/names.h"
 
 /// The program that `ricochet bench` runs.

@@ -1,5 +1,3 @@
-#include "bench/processor_bench.h"
-
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -15,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/benchmarks.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/motion/flight.h"
 #include "problems/carrier_track/motion/lanes.h"

@@ -1,5 +1,3 @@
-#include "bench/simulation_bench.h"
-
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -8,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/processor_bench.h"
+#include "bench/benchmarks.h"
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/count_scan.h"

@@ -1,6 +1,5 @@
-#include "problems/carrier_track/suite/families.h"
-
 #include "problems/carrier_track/suite/hard_machines.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "problems/classic/classic.h"
 #include "ricochet/problem.h"
 #include "ricochet/scene.h"

@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "ricochet/error.h"
-#include "solvers/ceres.h"
 #include "solvers/fireworks/fireworks.h"
-#include "solvers/ipopt.h"
+#include "solvers/library_solvers.h"
 #include "solvers/mads.h"
 #include "solvers/nlopt.h"
 #include "solvers/pagmo.h"

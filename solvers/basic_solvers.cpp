@@ -1,10 +1,9 @@
-#include "solvers/basic_solvers.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "solvers/library_solvers.h"
 #include "solvers/unit_box.h"
 
 namespace ricochet {

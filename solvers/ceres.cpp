@@ -1,5 +1,3 @@
-#include "solvers/ceres.h"
-
 #include <ceres/cost_function.h>
 #include <ceres/first_order_function.h>
 #include <ceres/gradient_problem.h>
@@ -14,6 +12,7 @@
 #include <limits>
 #include <string>
 
+#include "solvers/library_solvers.h"
 #include "solvers/unit_box.h"
 
 /// Only for the adapters of Ceres.

@@ -1,5 +1,3 @@
-#include "solvers/dlib.h"
-
 #include <dlib/global_optimization/global_function_search.h>
 #include <dlib/revision.h>
 #include <fmt/format.h>
@@ -8,6 +6,7 @@
 #include <ctime>
 #include <vector>
 
+#include "solvers/library_solvers.h"
 #include "solvers/unit_box.h"
 
 namespace ricochet {

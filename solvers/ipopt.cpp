@@ -1,5 +1,3 @@
-#include "solvers/ipopt.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,8 +22,9 @@
 #include <system_error>
 #include <variant>
 
+#include "solvers/library_solvers.h"
 #include "solvers/unit_box.h"
-#include "src/core/process.h"
+#include "src/core/child_process.h"
 
 namespace ricochet {
 

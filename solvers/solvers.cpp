@@ -2,15 +2,11 @@
 
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
-#include "solvers/basic_solvers.h"
-#include "solvers/ceres.h"
-#include "solvers/dlib.h"
 #include "solvers/fireworks/fireworks.h"
-#include "solvers/ipopt.h"
+#include "solvers/library_solvers.h"
 #include "solvers/mads.h"
 #include "solvers/nlopt.h"
 #include "solvers/pagmo.h"
-#include "solvers/tao/tao.h"
 #include "src/core/names.h"
 
 namespace ricochet {

@@ -1,6 +1,5 @@
 #include <ricochet/error.h>
-#include <ricochet/simulate.h>
-#include <ricochet/threshold.h>
+#include <ricochet/machine.h>
 
 #include <cstdio>
 

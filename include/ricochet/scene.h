@@ -101,7 +101,8 @@ T scaled(const T& x, double by) {
 // @file
 // A machine: one yarn carrier in its clearance, and the TOML file that describes it.
 
-/// How the centrifugal force F_a = m r_c omega^2 enters the x axis: equation (31) projects it, while the text of the paper draws it inward.
+/// How the centrifugal force F_a = m r_c omega^2 enters the x axis: equation (31) projects it,
+/// while the text of the paper draws it inward.
 enum class Centrifugal { projected, inward, outward };
 
 /// The rule that decides which events of the motion count as collisions; see count.h.

@@ -1,5 +1,5 @@
-// Ranks of contestants and the probability of being first, by the rules of src/benchmark/analysis/rating.h and
-// src/benchmark/statistics/probability_of_being_first.h. Nothing here knows the page.
+// Ranks of contestants and the probability of being first, by the rules of src/analysis/rating.h and
+// src/analysis/statistics/ranking.h. Nothing here knows the page.
 
 // What a run is ranked by, less is better: a run that reaches the target by its evaluations until then, after all such
 // others by the point that it returned. Where a run is stopped early, what it would return is unknown: then the levels

@@ -1,4 +1,4 @@
-// The runs of a comparison, as src/benchmark/comparison/view_run.h writes them, and what is computed of
+// The runs of a comparison, as src/analysis/comparison/view.h writes them, and what is computed of
 // them: success rates, expected running times, ratios. Nothing here knows the page.
 
 const base64Digits = new Map([..."ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"].map((digit, value) => [digit, value]));
@@ -62,7 +62,7 @@ class RunTable {
   }
 
   // Gives the runs of all entries under a condition (family, perturbation, price, budget) their places, as
-  // src/benchmark/comparison/view_order.h has them: among the runs of other entries with the same problem, instance and
+  // src/analysis/comparison/view.h has them: among the runs of other entries with the same problem, instance and
   // seed that miss as many targets, 0 is the best, and equals share theirs.
   placeRuns(entry) {
     if (entry.placed) return;
@@ -145,7 +145,7 @@ const wilson = (successes, trials) => {
   return [Math.max(0, (middle - half) / scale), Math.min(1, (middle + half) / scale)];
 };
 
-// The mean of shares with its interval over problems, as src/benchmark/statistics/mean_share.cpp has it.
+// The mean of shares with its interval over problems, as src/analysis/statistics/intervals.cpp has it.
 const meanShare = (shares) => {
   const imagined = 0.1, size = shares.length, mean = Math.min(1, sum(shares) / size);
   const squares = imagined * (mean * mean + (1 - mean) * (1 - mean)) + sum(shares.map((x) => (x - mean) ** 2));

@@ -104,16 +104,6 @@ void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
 
 }  // namespace
 
-void Descriptor::close() {
-  if (number_ >= 0) ::close(number_);
-  number_ = -1;
-}
-
-void Descriptor::take(int number) {
-  close();
-  number_ = number;
-}
-
 LineProgram::LineProgram(std::vector<std::string> arguments)
     : maker_(getpid()),
       thread_(std::this_thread::get_id()),

@@ -11,28 +11,12 @@
 #include <vector>
 
 #include "ricochet/solver.h"
-#include "src/core/process.h"
+#include "src/core/child_process.h"
 
 namespace ricochet::outside {
 
 /// Longest line of either side, in bytes.
 inline constexpr std::size_t longest_line = 4 << 20;
-
-/// A file descriptor that is closed on destruction.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-  void close();
-  void take(int number);
-
- private:
-  int number_;  // -1: none
-};
 
 /// How long a line is waited for.
 struct Patience {

@@ -22,10 +22,10 @@
 
 #include "ricochet/error.h"
 #include "solvers/unit_box.h"
-#include "src/core/seen_problem.h"
+#include "src/core/child_process.h"
 #include "src/core/floating_point.h"
 #include "src/core/names.h"
-#include "src/core/process.h"
+#include "src/core/seen_problem.h"
 
 namespace ricochet::outside {
 

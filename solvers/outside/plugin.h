@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ricochet/solver.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::outside {
 

@@ -1,5 +1,3 @@
-#include "solvers/tao/tao.h"
-
 #include <dlfcn.h>
 #include <ricochet/ricochet.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "solvers/library_solvers.h"
 #include "solvers/outside/plugin.h"
 
 namespace ricochet {

@@ -14,7 +14,6 @@
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/instance.h"
 #include "src/core/names.h"
-#include "src/core/seed.h"
 
 namespace ricochet::comparison {
 

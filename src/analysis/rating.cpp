@@ -12,7 +12,7 @@
 #include "src/analysis/outcomes.h"
 #include "src/analysis/statistics/attainment.h"
 #include "src/analysis/statistics/ranking.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::comparison {
 

@@ -1,5 +1,3 @@
-#include "src/app/agreement.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,13 +12,12 @@
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
-#include "src/analysis/comparison/changes.h"
 #include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/export/formats.h"
 #include "src/analysis/rating.h"
-#include "src/app/archive.h"
 #include "src/app/campaign.h"
-#include "src/app/verified_runs.h"
+#include "src/app/scene_choice.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
 

@@ -1,4 +1,4 @@
-#include "src/app/archive.h"
+#include "src/experiment/archive.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,17 +13,13 @@
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
 #include "src/analysis/comparison/shares.h"
-#include "src/app/agreement.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/plan.h"
-#include "src/app/shared_options.h"
-#include "src/app/verified_runs.h"
+#include "src/app/scene_choice.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
-#include "src/experiment/archive.h"
 #include "src/experiment/archived_campaign.h"
 
 namespace ricochet::cli {

@@ -21,22 +21,16 @@
 
 #include "ricochet/error.h"
 #include "src/analysis/comparison/study.h"
-#include "src/app/archive.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/plan.h"
-#include "src/app/shared_options.h"
-#include "src/app/verified_runs.h"
-#include "src/app/version.h"
+#include "src/core/child_process.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
-#include "src/core/process.h"
 #include "src/core/progress.h"
 #include "src/experiment/archived_campaign.h"
 #include "src/experiment/planned_runs.h"
-#include "src/experiment/service.h"
 #include "src/experiment/worker.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "src/analysis/results.h"
+#include "src/app/command_line.h"
 #include "src/experiment/campaign.h"
+#include "src/experiment/plan.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/store.h"
 #include "src/experiment/stored_campaign.h"
@@ -54,5 +59,62 @@ FinishedCampaign finished_campaign(const Store& store);
 /// their runs show them: they cannot solve, and no program is started. Leaves out other solvers
 /// that this build lacks.
 Campaign recorded_campaign(const Store& store);
+
+/// Adds the plan that a command takes, for plan_named().
+void add_plan_file(CLI::App* command, std::string& plan);
+
+/// Returns the plan of a file, or one of the plans that are included.
+Plan plan_named(const std::string& name);
+
+/// The programs and shared libraries that a plan names as solvers, each once, in their order.
+/// Starts none. Throws InputError for one that does not exist.
+std::vector<std::string> programs_of(const Plan& plan);
+
+/// The catalogue of the suite that starts no program: see outside::unstarted_solver.
+Catalogue catalogue_that_starts_nothing();
+
+/// Says which programs will be started. Throws InputError, which names `origin`, if they are not
+/// allowed: a file from elsewhere must not start programs unasked.
+void announce_programs(const std::vector<std::string>& programs, bool allowed,
+                       const std::string& origin);
+
+/// The file of an archive: that of the reference's runs, which is included, for the name "archive".
+std::string archive_named(const std::string& name);
+
+/// The plan that compares the user's solvers with those of an archive. If `out` has no store yet,
+/// makes it, with the archive's runs. Writes to standard error which solvers of the archive this
+/// build lacks, or has in another version.
+Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
+                          const Catalogue& catalogue, const std::string& out);
+
+/// How many runs from elsewhere are repeated before they are taken.
+struct Verification {
+  int runs = 20;  ///< drawn at random among those that this build can repeat; 0: none
+  bool allow_programs = false;
+};
+
+void add_verification(CLI::App* command, Verification& verification);
+
+/// Repeats a random sample of the wanted runs of some stores. Returns in words, for the store that
+/// they come to, how many there are, how many were repeated, the user and the date. Throws
+/// InputError, naming file and run, if one differs from what is stored, by a bit.
+std::string verified(const std::vector<std::string>& files,
+                     const std::function<bool(const RunKey&)>& wanted,
+                     const Verification& verification);
+
+/// Writes to standard error why runs may be missing in a store, if so.
+void warn_of_missing_runs(const std::string& store);
+
+/// Checks a store, which was read from `file`, as check_content() does. Returns its campaign;
+/// writes to standard error why this build cannot make it, if so, and returns nothing.
+std::optional<Campaign> check_as_known(const Store& store, const std::string& file);
+
+/// How complete a store is, which was read from `file`. Writes to standard error what is missing,
+/// if anything is, or why this build cannot tell; then returns nothing. Throws InputError as
+/// check_content() does.
+std::optional<Completeness> told_completeness(const Store& store, const std::string& file);
+
+/// "24 runs", or "16 of 24 planned runs" if some are missing.
+std::string counted_runs(const Store& store, const std::optional<Completeness>& completeness);
 
 }  // namespace ricochet::cli

@@ -13,7 +13,6 @@
 #include "ricochet/scene.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/shared_options.h"
 #include "src/core/names.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"

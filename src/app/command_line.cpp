@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "src/app/version.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"

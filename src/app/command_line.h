@@ -5,12 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ricochet/error.h"
 #include "src/core/names.h"
+#include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/site/study.h"
@@ -186,5 +188,32 @@ void add_impact_test(CommandLine& line);
 /// Searches for the best value of every problem, resumes where it was stopped, and writes the
 /// values to a file; or takes better values from a store; or searches for hard machines.
 void add_best_values(CommandLine& line);
+
+/// Returns the output of --version: version, commit, compiler, and the linked libraries.
+std::string version();
+
+/// The options of every study.
+struct StudyOptions {
+  bool quick;
+  std::string out;
+};
+
+/// Adds the options of a study; its report goes to the folder of its name by default. The command's
+/// function must keep what is returned.
+std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study);
+
+void add_format(CLI::App* command, bool& json);
+
+/// Adds the option --set, which changes keys of a machine file.
+void add_settings(CLI::App* command, std::vector<std::string>& settings);
+
+/// Adds --scene and --set: problems of the user's machine in place of the suite's.
+void add_scene_file(CLI::App* command, std::string& file, std::vector<std::string>& settings);
+
+/// Adds the limits of every run.
+void add_limits(CLI::App* command, Limits& limits);
+
+/// Adds --allow-programs, see announce_programs().
+void add_allowance(CLI::App* command, bool& allowed);
 
 }  // namespace ricochet::cli

@@ -5,13 +5,10 @@
 #include "ricochet/error.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/study.h"
-#include "src/app/agreement.h"
-#include "src/app/archive.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/scene_choice.h"
-#include "src/app/shared_options.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 namespace {

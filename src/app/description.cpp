@@ -11,9 +11,8 @@
 #include "ricochet/solver.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/version.h"
 #include "src/report/json.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 

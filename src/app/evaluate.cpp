@@ -17,11 +17,10 @@
 #include "solvers/outside/line_solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
-#include "src/app/shared_options.h"
 #include "src/core/instance.h"
 #include "src/core/names.h"
 #include "src/report/json.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 

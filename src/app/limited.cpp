@@ -1,5 +1,3 @@
-#include "src/app/limited.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <stop_token>
 
 #include "ricochet/error.h"
+#include "src/app/scene_choice.h"
 #include "src/core/progress.h"
 
 namespace ricochet::cli {

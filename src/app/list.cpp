@@ -14,11 +14,10 @@
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
 #include "src/app/command_line.h"
-#include "src/app/shared_options.h"
 #include "src/core/names.h"
 #include "src/report/json.h"
 #include "src/studies/paper/interpretation.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 namespace {

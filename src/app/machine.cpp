@@ -4,10 +4,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/scene.h"
 #include "src/app/command_line.h"
-#include "src/app/limited.h"
 #include "src/app/scene_choice.h"
-#include "src/app/shared_options.h"
-#include "src/app/threshold.h"
 #include "src/core/toml.h"
 #include "src/studies/machine/study.h"
 

@@ -14,7 +14,6 @@
 #include <string>
 
 #include "src/app/command_line.h"
-#include "src/app/version.h"
 #include "src/core/progress.h"
 
 namespace ricochet::cli {

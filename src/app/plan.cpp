@@ -1,5 +1,3 @@
-#include "src/app/plan.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,12 +20,11 @@
 #include "solvers/outside/outside.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
-#include "src/app/shared_options.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
 #include "src/experiment/planned_runs.h"
 #include "src/report/text.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 

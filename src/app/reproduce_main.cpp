@@ -1,6 +1,5 @@
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/shared_options.h"
 #include "src/studies/reproduction/study.h"
 
 /// The reproduction of the paper. It is a separate program, so that the first report can be made

@@ -12,7 +12,6 @@
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
 #include "src/app/command_line.h"
-#include "src/app/shared_options.h"
 #include "src/core/names.h"
 #include "src/studies/paper/interpretation.h"
 

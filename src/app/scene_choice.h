@@ -1,12 +1,20 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/carrier_track/suite/machine.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/machine.h"
 #include "src/app/command_line.h"
+#include "src/report/json.h"
+#include "src/studies/machine/charts.h"
 
 namespace ricochet::cli {
 
@@ -37,5 +45,87 @@ ChosenScene choose_scene(const SceneChoice& choice);
 
 /// Every case of the paper, in the default interpretation.
 std::vector<ChosenScene> every_case();
+
+/// The user's options for a machine's quiet speed.
+struct QuietSpeedRequest {
+  double fastest = 18.0;                 ///< [rad/s], end of the range searched
+  std::optional<double> allow;           ///< collisions in the window
+  std::optional<double> allow_per_turn;  ///< collisions
+  std::optional<double> allow_energy;    ///< [J], in the window
+  std::optional<double> allow_speed;     ///< [m/s], of the fastest impact
+  double tolerance = 0;                  ///< [%], of every model parameter
+  double seconds = 60;                   ///< time limit
+};
+
+/// Adds the options of a request.
+void add_request(CLI::App* command, QuietSpeedRequest& asked);
+
+/// Throws InputError if a value is out of range, or if more than one limit is given.
+carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
+
+/// Prints how far two stores or archives order their entries alike, by family, and which entries
+/// changed from the first to the second: see entry_changes().
+int compare_stores(const std::string& first, const std::string& second, bool json);
+
+/// The agreement of two orders in words; null if they cannot be compared.
+inline std::string agreement_in_words(const report::Json& agreement) {
+  if (agreement.is_null()) return "the orders cannot be compared";
+  return fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
+                     agreement["correlation"].get<double>(), agreement["lower"].get<double>(),
+                     agreement["upper"].get<double>(), agreement["entries"].get<int>());
+}
+
+/// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",
+/// "clearance=0.5..2 mm".
+struct ConstantRange {
+  std::string constant;
+  double from, to;                    ///< in SI units
+  studies::advice::ShownUnit unit{};  ///< of the range's end
+};
+
+/// Throws InputError, which names --over, for a text that is no such range or has an unknown
+/// constant or unit.
+ConstantRange constant_range_of(const std::string& text);
+
+/// Adds --seconds, the time after which a command ends with what it knows.
+void add_seconds(CLI::App* command, double& seconds);
+
+/// A time limit, and its progress on standard error from the first second on.
+class Limited {
+ public:
+  /// Throws InputError unless 0 < seconds. `kept`: of these, for what is done afterwards.
+  explicit Limited(double seconds, double kept = 0);
+
+  /// That nothing is known yet, and how far the work was: exit code 1.
+  std::runtime_error reached() const;
+
+ private:
+  double seconds_;
+  TimeLimit limit_;
+  std::jthread shown_;
+};
+
+/// Returns what `work` returns, under a limit, see Limited. Throws a std::runtime_error if that
+/// throws TimeLimitReached.
+template <class Work>
+auto limited(double seconds, const Work& work, double kept = 0) {
+  const Limited limit(seconds, kept);
+  try {
+    return work();
+  } catch (const TimeLimitReached&) {
+    throw limit.reached();
+  }
+}
+
+/// The seconds of a time limit that are kept for sampled_in_time().
+double seconds_to_sample(double seconds);
+
+/// What simulation alone tells in these seconds of the speeds of a machine that the time limit left
+/// out.
+std::vector<carrier_track::SampledTurns> sampled_in_time(const carrier_track::Scene& scene,
+                                                         double from, double to, double seconds);
+
+/// Says on standard error that a result is not complete, and why. Returns the exit code.
+int report_incomplete(double seconds, const std::string& what_is_known);
 
 }  // namespace ricochet::cli

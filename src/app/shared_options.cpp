@@ -1,4 +1,4 @@
-#include "src/app/shared_options.h"
+#include "src/app/command_line.h"
 
 namespace ricochet::cli {
 

@@ -17,16 +17,14 @@
 #include "ricochet/solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
-#include "src/app/shared_options.h"
 #include "src/core/files.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
 #include "src/experiment/perturbations.h"
 #include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 namespace {

@@ -5,25 +5,23 @@
 #include <filesystem>
 #include <optional>
 
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
 #include "src/app/scene_choice.h"
-#include "src/app/shared_options.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/studies/best_values/best_values.h"
-#include "src/studies/best_values/hard_search.h"
 #include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
 #include "src/studies/fireworks/study.h"
 #include "src/studies/paper/loss.h"
 #include "src/studies/problems/problems.h"
 #include "src/studies/stress/stress.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 #include "src/studies/surrogate/study.h"
 
 namespace ricochet::cli {

@@ -1,4 +1,4 @@
-#include "src/app/threshold.h"
+#include "problems/carrier_track/counting/threshold.h"
 
 #include <fmt/format.h>
 
@@ -8,16 +8,13 @@
 #include <utility>
 
 #include "problems/carrier_track/counting/quiet_speed.h"
-#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
 #include "src/app/command_line.h"
-#include "src/app/limited.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/app/shared_options.h"
 #include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"

@@ -1,5 +1,3 @@
-#include "src/app/verified_runs.h"
-
 #include <fmt/format.h>
 #include <pwd.h>
 #include <unistd.h>
@@ -16,12 +14,9 @@
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
 #include "solvers/outside/outside.h"
-#include "src/app/archive.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/plan.h"
-#include "src/app/shared_options.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
 #include "src/experiment/archive.h"
@@ -32,7 +27,7 @@
 #include "src/experiment/stored_campaign.h"
 #include "src/experiment/worker.h"
 #include "src/report/json.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 

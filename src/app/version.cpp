@@ -1,10 +1,9 @@
-#include "src/app/version.h"
-
 #include <fmt/format.h>
 
 #include <set>
 
 #include "ricochet/solver.h"
+#include "src/app/command_line.h"
 
 namespace ricochet::cli {
 

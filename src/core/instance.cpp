@@ -4,8 +4,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "src/core/seed.h"
-
 namespace ricochet {
 
 namespace {

@@ -1,5 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
 
@@ -33,5 +40,44 @@ Eigen::Index coordinates_at_ends(const Problem& problem);
 
 /// A point uniform in the problem's box.
 Vector uniform_point(const Problem& problem, Random& random);
+
+/// A seed that depends on the identity of a run, not on when or where it executes: a 64-bit FNV-1a
+/// hash of the names and numbers, each closed by a separator. `shown`, unless empty, distinguishes
+/// the formulations of the same problem.
+std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run,
+                      std::string_view shown = {});
+
+/// The 64-bit hash FNV-1a with its published offset basis and prime. Source: Fowler, Noll, Vo,
+/// Eastlake, The FNV Non-Cryptographic Hash Algorithm, RFC 9923.
+class FnvHash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) {
+      value_ = (value_ ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
+    }
+  }
+
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037ULL;
+};
+
+/// Version of the suite: problems, names and seeds. Stores, best values and fits of another version
+/// are refused.
+inline constexpr int suite_version = 3;
+
+/// Results of a search for a problem's values, by name; empty if no point is feasible.
+using Findings = std::map<std::string, double>;
+
+/// A problem whose best value, and possibly other values, is not known yet. A campaign searches for
+/// them at its start and keeps the findings in its store.
+struct SearchedProblem {
+  std::string family;
+  Problem problem;  ///< name, box and formulations; its values may be wrong
+  std::function<Findings()> search;
+  std::function<Problem(const Findings&)>
+      with;  ///< the complete problem; findings must not be empty
+};
 
 }  // namespace ricochet

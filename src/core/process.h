@@ -34,7 +34,10 @@ class SupervisedProcess {
   /// Waits for its end, at most so long. Returns whether it has ended.
   bool ends_within(int milliseconds);
 
-  /// Kills what is left. Returns how the child ended, as waitpid() does.
+  /// Waits until it ends by itself. Returns how the child ended, as waitpid() does.
+  int wait();
+
+  /// Kills what is left. Returns the same.
   int end();
 
  private:
@@ -44,13 +47,6 @@ class SupervisedProcess {
   bool ended_ = false;
   int status_ = 0;
 };
-
-/// The text that `work` returns in a child process with so much memory [MB] besides this one's. The
-/// child, whose streams lead nowhere, and all that it starts are gone afterwards. Throws
-/// std::runtime_error with the message of what `work` throws, or if the child crashes or takes
-/// longer than the limit.
-std::string called_in_isolation(const std::function<std::string()>& work,
-                                std::chrono::seconds limit, double megabytes);
 
 /// Limits this process, a child: `megabytes` of memory besides what it has now, and no core file.
 /// With sanitizers memory is not limited, since their own needs the whole address space.

@@ -12,7 +12,6 @@
 #include "src/core/evaluator.h"
 #include "src/core/floating_point.h"
 #include "src/core/instance.h"
-#include "src/core/seed.h"
 
 namespace ricochet {
 

@@ -1,10 +1,9 @@
-#include "src/core/seed.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "ricochet/random.h"
+#include "src/core/instance.h"
 
 namespace ricochet {
 

@@ -10,7 +10,6 @@
 #include "ricochet/error.h"
 #include "src/core/instance.h"
 #include "src/core/names.h"
-#include "src/core/seed.h"
 #include "src/experiment/planned_runs.h"
 
 namespace ricochet {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "src/core/searched_problem.h"
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
+#include "src/core/instance.h"
 #include "src/experiment/perturbations.h"
 #include "src/experiment/plan.h"
 #include "src/experiment/store.h"

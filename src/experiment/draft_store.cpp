@@ -22,7 +22,7 @@
 #include "embedded/schema.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/experiment/run_rows.h"
 #include "src/experiment/store_file.h"
 

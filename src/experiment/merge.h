@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/experiment/run_rows.h"
 #include "src/experiment/store.h"
 

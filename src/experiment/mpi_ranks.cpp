@@ -2,14 +2,10 @@
 
 #include <fcntl.h>
 #include <mpi.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -21,41 +17,12 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 
-#include "src/experiment/service.h"
+#include "src/core/child_process.h"
 
 namespace ricochet::mpi {
-
-/// A child process of `ricochet`, the program beside this one, with which frames are exchanged.
-class Child {
- public:
-  /// Throws std::system_error if no process can be started.
-  explicit Child(std::vector<std::string> arguments);
-
-  /// Waits until it ends by itself.
-  ~Child();
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  /// Sends a message. Returns whether it still listens.
-  bool tell(const std::string& message);
-
-  /// Waits for at most this time. Returns true if there is a message or it has ended.
-  bool waits_for_news(std::chrono::milliseconds most);
-
-  /// The next message; nothing if it has ended.
-  std::optional<std::string> hear();
-
-  /// Closes its input and waits for its end. Returns its exit code, or 128 plus the signal.
-  int wait();
-
- private:
-  int to_ = -1, from_ = -1;
-  pid_t process_ = -1;
-};
 
 /// Tags of messages from a rank to rank 0, which answers a request with runs; no runs: the end.
 enum Tag : int { request, result, gone, alive, runs };
@@ -94,64 +61,35 @@ inline void rest() {
   std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
-Child::Child(std::vector<std::string> arguments) {
+namespace {
+
+/// A child that becomes `ricochet`, the program beside this one, with these arguments, and
+/// exchanges frames as its --serve does.
+ChildProcess ricochet_child(std::vector<std::string> arguments) {
   const std::string program =
       std::filesystem::read_symlink("/proc/self/exe").replace_filename("ricochet").string();
   arguments.insert(arguments.begin(), program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  int in[2];
-  int out[2];
-  if (pipe2(in, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  if (pipe2(out, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  const pid_t parent = getpid();
-  process_ = fork();
-  if (process_ == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a rank that is killed leaves nothing behind
-    if (getppid() != parent) _exit(127);
-    dup2(in[0], STDIN_FILENO);
-    dup2(out[1], frames_out);
-    fcntl(frames_out, F_SETFD, 0);
+  return ChildProcess([&](int descriptor) {
+    dup2(descriptor, STDIN_FILENO);
+    if (descriptor == frames_out) {
+      fcntl(frames_out, F_SETFD, 0);
+    } else {
+      dup2(descriptor, frames_out);
+    }
     execv(program.c_str(), argv.data());
     _exit(127);
-  }
-  const int error = errno;
-  close(in[0]);
-  close(out[1]);
-  to_ = in[1];
-  from_ = out[0];
-  if (process_ < 0) throw std::system_error(error, std::generic_category(), "fork");
+  });
 }
 
-Child::~Child() {
-  wait();
-  close(from_);
-}
-
-bool Child::tell(const std::string& message) {
-  return write_frame(to_, message);
-}
-
-bool Child::waits_for_news(std::chrono::milliseconds most) {
-  pollfd news{from_, POLLIN, 0};
-  return poll(&news, 1, static_cast<int>(most.count())) > 0;
-}
-
-std::optional<std::string> Child::hear() {
-  return read_frame(from_);
-}
-
-int Child::wait() {
-  if (to_ >= 0) close(to_);
-  to_ = -1;
-  if (process_ < 0) return 0;
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
+/// Its exit code, or 128 plus the signal that ended it.
+int exit_code_of(int status) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
+
+}  // namespace
 
 namespace {
 
@@ -170,7 +108,8 @@ struct Rank {
 
 class RankScheduler {
  public:
-  RankScheduler(Child& store, int ranks) : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
+  RankScheduler(ChildProcess& store, int ranks)
+      : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
     ranks_[0].lost = true;  // rank 0 makes no runs
     const auto opening = store_.hear();
     if (!opening) return;
@@ -273,7 +212,7 @@ class RankScheduler {
     }
   }
 
-  Child& store_;
+  ChildProcess& store_;
   std::vector<Rank> ranks_;
   std::deque<Place> waiting_;
   bool open_ = false;  // the store accepts runs
@@ -284,11 +223,11 @@ class RankScheduler {
 
 int hand_out_runs(std::vector<std::string> arguments, int ranks, bool& lost) {
   arguments.insert(arguments.end(), {"--serve", "store"});
-  Child store(std::move(arguments));
-  RankScheduler office(store, ranks);
-  const bool all = office.work();
-  lost = office.lost();
-  const int status = store.wait();
+  ChildProcess store = ricochet_child(std::move(arguments));
+  RankScheduler scheduler(store, ranks);
+  const bool all = scheduler.work();
+  lost = scheduler.lost();
+  const int status = exit_code_of(store.finish());
   return status == 0 && !all ? 1 : status;
 }
 
@@ -306,9 +245,12 @@ std::string given_runs() {
 }
 
 /// The next record; nothing if the runner has ended.
-std::optional<std::string> record_of(Child& runner) {
-  while (!runner.waits_for_news(heartbeat)) send(0, alive, "");
-  return runner.hear();
+std::optional<std::string> record_of(ChildProcess& runner) {
+  for (;;) {
+    if (auto record = runner.next()) return record;
+    while (!runner.has_news(Clock::now() + heartbeat)) send(0, alive, "");
+    if (!runner.listen()) return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -316,12 +258,15 @@ std::optional<std::string> record_of(Child& runner) {
 void make_given_runs(const std::vector<std::string>& arguments) {
   std::vector<std::string> serving = arguments;
   serving.insert(serving.end(), {"--serve", "runs"});
-  std::unique_ptr<Child> runner;
+  std::unique_ptr<ChildProcess> runner;
   while (true) {
     send(0, request, "");
     const std::string places = given_runs();
-    if (places.empty()) return;
-    if (!runner) runner = std::make_unique<Child>(serving);
+    if (places.empty()) {
+      if (runner) runner->finish();
+      return;
+    }
+    if (!runner) runner.reset(new ChildProcess(ricochet_child(serving)));
     runner->tell(places);
     for (std::size_t left = places.size() / sizeof(std::uint64_t); left > 0; --left) {
       const auto record = record_of(*runner);

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/experiment/perturbed_coordinates.h"
-#include "src/experiment/perturbed_values.h"
-
 namespace ricochet {
 
 namespace {

@@ -1,5 +1,3 @@
-#include "src/experiment/perturbed_coordinates.h"
-
 #include <cmath>
 #include <limits>
 #include <memory>

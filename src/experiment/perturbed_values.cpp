@@ -1,5 +1,3 @@
-#include "src/experiment/perturbed_values.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -126,4 +126,19 @@ struct Forecast {
 /// of variables or evaluations; too high if runs end before their budget is spent.
 Forecast forecast_of(const Campaign& campaign);
 
+/// A campaign whose runs are made on other machines: one process keeps the store, others make the
+/// runs they are given. All know the same plan, so 8 bytes name a run: its place among the runs of
+/// the shard. Messages are frames (child_process.h); how they are transported does not matter here.
+
+/// Sends the list of runs that the store lacks, then adds the records that arrive, each after its
+/// place and the content of its solver, until an empty message. Returns true if that arrived.
+/// Throws InputError for a record that does not belong to its place, or whose solver has other
+/// files.
+bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int in, int out);
+
+/// Makes the runs of every message, a list of places, and sends each record after its place and the
+/// content of its solver as soon as the run has ended, until no further message comes. Throws as
+/// require_unchanged() does.
+void serve_runs(const Campaign& campaign, const Shard& shard, int in, int out);
+
 }  // namespace ricochet

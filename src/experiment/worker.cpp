@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -17,61 +15,37 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "ricochet/error.h"
-#include "src/core/process.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/experiment/merge.h"
 
 namespace ricochet {
 
 namespace {
 
-// The head of a message: its length and its kind. The content follows.
-struct Head {
-  std::uint64_t length;
-  enum class Kind : std::uint64_t { improvement, waiting, record } kind;
-};
-
-/// A record is much shorter; a longer message comes from a broken process.
-constexpr std::uint64_t longest_message = 1ULL << 30;
-
-[[noreturn]] void fail(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
+// The first byte of a message says what follows it.
+constexpr char improvement = 'i';
+constexpr char waiting = 'w';
+constexpr char finished = 'r';
 
 RunRecord nothing_run_of(const Job& job) {
   return nothing_run(*job.problem, *job.solver, job.budget, job.number, job.shown);
 }
 
-/// Writes all bytes; ends the process if no one reads any more.
-void write_all(int descriptor, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t written = write(descriptor, bytes, count);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) _exit(1);
-    bytes += written;
-    count -= static_cast<std::size_t>(written);
-  }
-}
-
-void tell(int descriptor, Head::Kind kind, const std::string& text) {
-  const Head head{text.size(), kind};
-  std::string message(reinterpret_cast<const char*>(&head), sizeof head);
-  message += text;
-  write_all(descriptor, message.data(), message.size());
+/// Ends the process if no one reads any more.
+void tell(int descriptor, char kind, const std::string& text) {
+  if (!write_frame(descriptor, kind + text)) _exit(1);
 }
 
 /// The next job from the parent; nothing if there are no more.
 std::optional<std::size_t> next_job(int descriptor) {
+  const auto message = read_frame(descriptor);
   std::size_t job = 0;
-  ssize_t count = 0;
-  do {
-    count = read(descriptor, &job, sizeof job);
-  } while (count < 0 && errno == EINTR);
-  return count == sizeof job ? std::optional(job) : std::nullopt;
+  if (!message || message->size() != sizeof job) return std::nullopt;
+  std::memcpy(&job, message->data(), sizeof job);
+  return job;
 }
 
 RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on_improvement) {
@@ -91,15 +65,14 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
   // A solver must neither read what this process was given nor write into results.
   lead_nowhere(STDIN_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
-  on_waiting(
-      [descriptor](const std::string& text) { tell(descriptor, Head::Kind::waiting, text); });
+  on_waiting([descriptor](const std::string& text) { tell(descriptor, waiting, text); });
   try {
     while (const auto job = next_job(descriptor)) {
       RunRecord record = make(jobs[*job], [&](const Improvement& step) {
-        tell(descriptor, Head::Kind::improvement, text_of(step));
+        tell(descriptor, improvement, text_of(step));
       });
       record.trace.clear();  // already sent
-      tell(descriptor, Head::Kind::record, text_of(record));
+      tell(descriptor, finished, text_of(record));
     }
   } catch (...) {
     _exit(1);
@@ -120,21 +93,7 @@ void check(const Limits& limits) {
 
 Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
     : jobs_(jobs), limits_(limits), born_(std::chrono::steady_clock::now()) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
-  std::fflush(nullptr);  // buffered output is the parent's to write
-  descriptor_ = ends[0];
-  try {
-    process_.emplace([&] {
-      ::close(ends[0]);
-      work(jobs, limits, ends[1]);
-    });
-  } catch (...) {
-    ::close(ends[0]);
-    ::close(ends[1]);
-    throw;
-  }
-  ::close(ends[1]);
+  process_.emplace([&](int descriptor) { work(jobs, limits, descriptor); });
 }
 
 void Worker::begin(std::size_t job) {
@@ -147,35 +106,22 @@ void Worker::begin(std::size_t job) {
               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                   std::chrono::duration<double>(std::min(limits_.seconds, 1e9)));
   // If it fails, listen() reports it.
-  static_cast<void>(send(descriptor_, &job, sizeof job, MSG_NOSIGNAL));
+  process_->tell({reinterpret_cast<const char*>(&job), sizeof job});
 }
 
 std::chrono::steady_clock::duration Worker::age() const {
   return std::chrono::steady_clock::now() - born_;
 }
 
-Worker::~Worker() {
-  process_.reset();
-  ::close(descriptor_);
-}
-
 bool Worker::listen() {
-  char buffer[1 << 16];
-  const ssize_t count = read(descriptor_, buffer, sizeof buffer);
-  if (count < 0 && errno == EINTR) return true;
-  if (count <= 0) return false;
-  unread_.append(buffer, static_cast<std::size_t>(count));
-  std::size_t taken = 0;
-  Head head{};
-  while (unread_.size() - taken >= sizeof head) {
-    std::memcpy(&head, unread_.data() + taken, sizeof head);
-    if (head.length > longest_message) return false;
-    if (unread_.size() - taken - sizeof head < head.length) break;
-    const std::string text = unread_.substr(taken + sizeof head, head.length);
+  if (!process_->listen()) return false;
+  while (const auto message = process_->next()) {
+    if (message->empty()) return false;
+    const std::string text = message->substr(1);
     try {
-      if (head.kind == Head::Kind::improvement) {
+      if (message->front() == improvement) {
         trace_.push_back(improvement_from(text));
-      } else if (head.kind == Head::Kind::waiting) {
+      } else if (message->front() == waiting) {
         waiting_ = text;
       } else {
         record_ = record_from(text);
@@ -183,9 +129,7 @@ bool Worker::listen() {
     } catch (const std::exception&) {
       return false;
     }
-    taken += sizeof head + head.length;
   }
-  unread_.erase(0, taken);
   return !record_;
 }
 

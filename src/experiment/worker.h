@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "src/core/process.h"
+#include "src/core/child_process.h"
 #include "src/core/progress.h"
 #include "src/experiment/perturbations.h"
 
@@ -40,9 +40,6 @@ class Worker {
  public:
   /// The jobs must outlive it. Throws std::system_error if no process can be started.
   Worker(const std::vector<Job>& jobs, const Limits& limits);
-
-  /// Kills the process and all that it has started.
-  ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
@@ -56,7 +53,7 @@ class Worker {
   std::chrono::steady_clock::time_point deadline() const { return deadline_; }
 
   /// Readable when there is news of the run.
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return process_->descriptor(); }
 
   /// Reads the news. Returns whether the run continues.
   bool listen();
@@ -82,13 +79,11 @@ class Worker {
   const std::vector<Job>& jobs_;
   Limits limits_;
   std::chrono::steady_clock::time_point born_;
-  std::optional<SupervisedProcess> process_;
-  int descriptor_ = -1;
+  std::optional<ChildProcess> process_;
   std::size_t job_ = 0;
   int runs_ = 0;
   bool killed_from_outside_ = false;
   std::chrono::steady_clock::time_point deadline_;
-  std::string unread_;  // of an incomplete message
   std::vector<Improvement> trace_;
   std::string waiting_;  // what the run waits for, if it has said so; see tell_waiting()
   std::optional<RunRecord> record_;

@@ -1,11 +1,11 @@
-#include "src/identification/fit_check.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "src/identification/knock_fit.h"
 
 namespace ricochet::studies::identification {
 

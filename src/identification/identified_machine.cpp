@@ -9,7 +9,7 @@
 
 #include "problems/carrier_track/identification/knock_record.h"
 #include "ricochet/evaluator.h"
-#include "src/identification/fit_check.h"
+#include "src/identification/knock_fit.h"
 
 namespace ricochet::studies::identification {
 

@@ -1,9 +1,9 @@
-#include "src/report/chart_template.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
+
+#include "src/report/page_template.h"
 
 namespace ricochet::report {
 

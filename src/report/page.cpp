@@ -26,7 +26,7 @@
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
 #include "src/core/files.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/report/chart.h"
 #include "src/report/drawing.h"
 #include "src/report/page_template.h"

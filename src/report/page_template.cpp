@@ -9,7 +9,6 @@
 
 #include "src/core/csv.h"
 #include "src/core/names.h"
-#include "src/report/chart_template.h"
 
 namespace ricochet::report {
 

@@ -16,11 +16,11 @@ struct [[nodiscard]] WrittenReport {
 
 /// Writes a report into a folder, which is created if needed: data.json, the rows of every table as
 /// CSV, and the page from the template data["report"], see write_page. The template's `headline` is
-/// added to data.json, see page_template.h. A list data["pages"] of {"folder", "data"} makes further
-/// pages from their own data, in subfolders; data.json keeps only their names. All data.json are
-/// written before anything is drawn, and the tables of a page before its charts. Throws InputError
-/// if the folder cannot be written, with nothing changed if the whole folder is affected;
-/// std::logic_error if data and template do not match.
+/// added to data.json, see page_template.h. A list data["pages"] of {"folder", "data"} makes
+/// further pages from their own data, in subfolders; data.json keeps only their names. All
+/// data.json are written before anything is drawn, and the tables of a page before its charts.
+/// Throws InputError if the folder cannot be written, with nothing changed if the whole folder is
+/// affected; std::logic_error if data and template do not match.
 WrittenReport write_report(const Json& data, const std::filesystem::path& folder);
 
 /// Draws the report of a folder again from its data.json, with its further pages, into another

@@ -188,7 +188,7 @@ TEST(Evaluator, ShowsASmootherProblemButJudgesByTheTrueValues) {
   EXPECT_EQ(evaluator.ledger().charged, 2);
 }
 
-TEST(Evaluator, TellsTheBestPointShownAtTheWidthOfNow) {
+TEST(Evaluator, TellsTheBestPointShownAtTheSmoothingOfNow) {
   const Problem problem = smoothed_parabola();
   Evaluator evaluator(problem, {100});
   EXPECT_EQ(evaluator.best_shown(), nullptr);
@@ -241,7 +241,7 @@ TEST(Evaluator, RefusesWhatIsNotAllowedForNow) {
   EXPECT_TRUE(evaluator.over()) << "the budget is spent all the same";
 }
 
-TEST(Evaluator, RefusesAWidthWhereThereIsNone) {
+TEST(Evaluator, RefusesASmoothingWhereThereIsNone) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {100});
   EXPECT_THROW(evaluator.smooth(0.5), std::logic_error);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet {
 namespace {

@@ -57,7 +57,7 @@ TEST(Problem, HasTheFormulationsThatItsConstraintsAndItsKnobAllow) {
             (Names{"count", "penalised-count", "surrogate", "penalised-surrogate"}));
 }
 
-TEST(Problem, HasAFormulationOfEveryWidthOnce) {
+TEST(Problem, HasAFormulationOfEverySmoothingOnce) {
   const double usual = problem(true, false).smoothing;
   EXPECT_EQ(names_of_formulations(problem(true, true), {0.1, usual}),
             (Names{"count", "penalised-count", "surrogate", "penalised-surrogate", "surrogate-0.1",
@@ -65,7 +65,7 @@ TEST(Problem, HasAFormulationOfEveryWidthOnce) {
   EXPECT_EQ(names_of_formulations(problem(true, false), {0.1}), (Names{"original", "penalised"}));
 }
 
-TEST(Problem, NamesAWidthThatIsNotTheUsualOne) {
+TEST(Problem, NamesASmoothingThatIsNotTheUsualOne) {
   EXPECT_EQ(problem(true, true).name_of({0.1}), "surrogate-0.1");
   EXPECT_EQ(problem(true, true).name_of({0.1, true}), "penalised-surrogate-0.1");
 }

@@ -278,7 +278,7 @@ TEST(Instance, KeepsAPublishedStartAndItsMultiples) {
   }
 }
 
-TEST(Instance, KeepsTheSmoothingWidth) {
+TEST(Instance, KeepsTheSmoothing) {
   Problem problem = parabola(2);
   problem.smoothed = [problem](double smoothing) {
     Problem smooth = problem;

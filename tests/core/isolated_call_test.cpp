@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "src/core/process.h"
+#include "src/core/child_process.h"
 
 namespace ricochet {
 namespace {

@@ -106,7 +106,7 @@ TEST(Penalty, IsJudgedByTheTrueValuesOfTheConstraints) {
   EXPECT_EQ(true_values.violation, 2.0);
 }
 
-TEST(Penalty, KeepsTheSmoothingWidth) {
+TEST(Penalty, KeepsTheSmoothing) {
   Problem original = constrained();
   original.smoothed = [original](double smoothing) {
     Problem smooth = original;

@@ -1,6 +1,6 @@
-#include "src/core/seed.h"
-
 #include <gtest/gtest.h>
+
+#include "src/core/instance.h"
 
 namespace ricochet {
 namespace {

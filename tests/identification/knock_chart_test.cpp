@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/identification/fit_check.h"
+#include "src/identification/knock_fit.h"
 #include "tests/carrier_track/identification/example_record.h"
 
 namespace ricochet::studies::identification {

@@ -23,7 +23,7 @@
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 #include "tests/interface/opened.h"
 
 namespace ricochet {

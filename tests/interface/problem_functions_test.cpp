@@ -11,7 +11,7 @@
 
 #include "ricochet/problem.h"
 #include "src/core/instance.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 #include "tests/interface/opened.h"
 
 namespace ricochet::interface {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "problems/carrier_track/suite/best_known.h"
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 #include "ricochet/run.h"
 #include "src/studies/paper/loss.h"

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/suite/families.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,11 +7,11 @@
 #include <set>
 #include <string>
 
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 #include "ricochet/run.h"
 #include "src/core/instance.h"
-#include "src/core/seed.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet {

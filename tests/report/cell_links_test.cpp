@@ -3,7 +3,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "src/report/chart_template.h"
+#include "src/report/page_template.h"
 #include "src/report/svg.h"
 #include "src/report/text.h"
 

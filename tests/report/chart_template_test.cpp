@@ -1,9 +1,9 @@
-#include "src/report/chart_template.h"
-
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <stdexcept>
+
+#include "src/report/page_template.h"
 
 namespace ricochet::report {
 namespace {

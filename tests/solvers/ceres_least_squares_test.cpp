@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ricochet/run.h"
-#include "solvers/ceres.h"
+#include "solvers/library_solvers.h"
 #include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 

@@ -5,7 +5,7 @@
 
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "solvers/basic_solvers.h"
+#include "solvers/library_solvers.h"
 #include "solvers/nlopt.h"
 #include "tests/solvers/test_problems.h"
 

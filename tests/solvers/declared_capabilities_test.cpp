@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "problems/classic/classic.h"
 #include "ricochet/machine.h"
 #include "ricochet/run.h"

@@ -1,10 +1,9 @@
-#include "solvers/dlib.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ricochet/run.h"
+#include "solvers/library_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

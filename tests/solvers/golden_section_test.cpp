@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ricochet/run.h"
-#include "solvers/basic_solvers.h"
+#include "solvers/library_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

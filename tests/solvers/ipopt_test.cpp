@@ -1,8 +1,7 @@
-#include "solvers/ipopt.h"
-
 #include <gtest/gtest.h>
 
 #include "ricochet/run.h"
+#include "solvers/library_solvers.h"
 #include "src/core/evaluator.h"
 #include "tests/solvers/test_problems.h"
 

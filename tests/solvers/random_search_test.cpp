@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "solvers/basic_solvers.h"
+#include "solvers/library_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -1,5 +1,3 @@
-#include "solvers/tao/tao.h"
-
 #include <gtest/gtest.h>
 #include <malloc.h>
 #include <sys/wait.h>
@@ -14,7 +12,7 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "solvers/ipopt.h"
+#include "solvers/library_solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -1,7 +1,6 @@
-#include <ricochet/families.h>
+#include <ricochet/problem.h>
 #include <ricochet/run.h>
 #include <ricochet/solver.h>
-#include <ricochet/verdict.h>
 
 #include <cmath>
 #include <cstdio>

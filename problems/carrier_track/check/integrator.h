@@ -237,8 +237,9 @@ inline double distance_ahead(const WallPositions& gap, int direction, double pos
 /// sign, also at the velocity zero. So an event that starts and ends between two velocity zeros of
 /// one step is missed.
 template <class Path, class Pull>
-std::optional<Landing> first_event(const WallPositions& gap, bool turn_ends, int& direction, double begin,
-                                   double end, const State& at_end, Path path, Pull pull) {
+std::optional<Landing> first_event(const WallPositions& gap, bool turn_ends, int& direction,
+                                   double begin, double end, const State& at_end, Path path,
+                                   Pull pull) {
   const auto reach = [&](double from, double to) {
     const auto distance = [&](double t) {
       const State state = path(t);

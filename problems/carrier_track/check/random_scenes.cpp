@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/check/oracle.h"
 #include "ricochet/machine.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::carrier_track::inline oracle {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "problems/carrier_track/motion/forces.h"
-#include "problems/carrier_track/regimes/count_border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "src/core/numeric.h"

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/regimes/count_border.h"
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -9,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/regimes/phase_tip.h"
+#include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/regimes/sampled_turns.h"
 
 namespace ricochet::carrier_track::inline regimes {

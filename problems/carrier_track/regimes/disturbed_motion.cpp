@@ -15,7 +15,6 @@
 #include "problems/carrier_track/motion/forces.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/border.h"
-#include "problems/carrier_track/regimes/count_border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/sampled_turns.h"
 #include "problems/carrier_track/regimes/steady_motion.h"

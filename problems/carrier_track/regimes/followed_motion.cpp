@@ -10,7 +10,7 @@
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/motion/simulate.h"
-#include "problems/carrier_track/regimes/count_border.h"
+#include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/error.h"
 

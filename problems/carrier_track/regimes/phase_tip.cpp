@@ -1,5 +1,3 @@
-#include "problems/carrier_track/regimes/phase_tip.h"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/regimes/border.h"
 #include "src/core/numeric.h"
 
 namespace ricochet::carrier_track::inline regimes {

@@ -20,8 +20,8 @@ struct Uncertain {
   std::vector<Uncertainty> found = {};  ///< those read so far
 };
 
-/// One table of a TOML file. A number may be a text with a unit, see toml_table.h, and either may be
-/// a table {value = ..., plus_minus = ...}. An invalid entry throws InputError with origin (the
+/// One table of a TOML file. A number may be a text with a unit, see toml_table.h, and either may
+/// be a table {value = ..., plus_minus = ...}. An invalid entry throws InputError with origin (the
 /// file), table, key, value and the allowed values.
 class TomlTable {
  public:

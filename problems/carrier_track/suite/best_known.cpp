@@ -11,7 +11,7 @@
 #include "embedded/best_known_text.h"
 #include "ricochet/error.h"
 #include "ricochet/run.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/core/toml.h"
 
 namespace ricochet::carrier_track::inline problems {
@@ -73,8 +73,8 @@ std::string write_best_values(const BestValues& values) {
 }
 
 const BestValues& best_values() {
-  static const BestValues values = parse_best_values(
-      embedded::best_known_text, "problems/carrier_track/suite/best_known.toml");
+  static const BestValues values =
+      parse_best_values(embedded::best_known_text, "problems/carrier_track/suite/best_known.toml");
   return values;
 }
 

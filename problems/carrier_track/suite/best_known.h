@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "src/core/searched_problem.h"
 #include "ricochet/problem.h"
+#include "src/core/instance.h"
 
 namespace ricochet::carrier_track::inline problems {
 

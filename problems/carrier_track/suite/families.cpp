@@ -1,5 +1,3 @@
-#include "problems/carrier_track/suite/families.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <span>
 
 #include "problems/carrier_track/suite/design.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/profile.h"
 #include "problems/carrier_track/suite/robust.h"
 #include "problems/carrier_track/suite/speed_problems.h"

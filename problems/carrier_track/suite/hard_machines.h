@@ -9,7 +9,7 @@
 
 /// Machines whose staircases rise and fall. The paper's machines, apart from a few collisions, are
 /// quiet up to some speed and loud beyond it, so bisection finds their fastest quiet speed. These
-/// machines, found by a search among random ones (src/studies/best_values/hard_search.h), are
+/// machines, found by a search among random ones (src/studies/best_values/best_values.h), are
 /// quiet again in a narrow quiet interval at a much higher speed.
 namespace ricochet::carrier_track::inline problems {
 

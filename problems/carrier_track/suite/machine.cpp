@@ -21,13 +21,12 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/suite/best_known.h"
-#include "problems/carrier_track/suite/families.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 #include "ricochet/random.h"
 #include "ricochet/scene.h"
+#include "src/core/instance.h"
 #include "src/core/names.h"
-#include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline problems {
 

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "src/core/searched_problem.h"
+#include "ricochet/problem.h"
 #include "ricochet/scene.h"
+#include "src/core/instance.h"
 #include "src/core/names.h"
 
 namespace ricochet::carrier_track::inline problems {
@@ -117,5 +118,14 @@ const Scene& default_machine();
 /// Sixteen hexadecimal digits that change with any constant of the default machine. Best values are
 /// stored with this hash and hold for this machine only.
 const std::string& default_machine_hash();
+
+// The problems of the carrier track, all from the single objective of count.h.
+
+/// Every family of problems, for these machines.
+std::vector<Family> families_of(const std::vector<Machine>& machines);
+
+/// Every family of the cases in the default interpretation, and the calibration of that
+/// interpretation.
+std::vector<Family> case_families();
 
 }  // namespace ricochet::carrier_track::inline problems

@@ -18,7 +18,7 @@
 #include "problems/carrier_track/suite/profile.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/random.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::carrier_track::inline problems {
 

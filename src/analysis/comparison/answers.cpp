@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/answers.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "src/analysis/comparison/sections.h"
 
 namespace ricochet::studies::comparison {
 

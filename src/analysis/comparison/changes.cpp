@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/changes.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,9 +11,9 @@
 #include <vector>
 
 #include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/machines.h"
 #include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/reported_part.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/outcomes.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
 

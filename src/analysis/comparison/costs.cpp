@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/costs.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,11 +10,12 @@
 #include <utility>
 
 #include "ricochet/random.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/intervals.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 

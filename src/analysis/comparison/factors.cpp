@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/factors.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/analysis/comparison/machines.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/statistics/factorial_effects.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
@@ -292,9 +290,10 @@ Json surely_harmed(std::vector<PerturbedEntry>& changes) {
   }
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t i = 0; i < changes.size(); ++i) changes[i].p = adjusted[i];
-  std::stable_sort(changes.begin(), changes.end(), [](const PerturbedEntry& a, const PerturbedEntry& b) {
-    return a.difference() < b.difference();
-  });
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const PerturbedEntry& a, const PerturbedEntry& b) {
+                     return a.difference() < b.difference();
+                   });
   Json harmed = Json::array();
   for (const PerturbedEntry& c : changes) {
     if (c.p < level && c.difference() < 0) harmed.push_back(change_json(c));
@@ -306,9 +305,10 @@ Json summary_of(const Perturbation& perturbation, std::vector<PerturbedEntry>& c
   std::vector<double> differences;
   for (const PerturbedEntry& change : changes) differences.push_back(change.difference());
   Json harmed = surely_harmed(changes);
-  const auto sturdy = std::max_element(
-      changes.begin(), changes.end(),
-      [](const PerturbedEntry& a, const PerturbedEntry& b) { return a.after.share() < b.after.share(); });
+  const auto sturdy = std::max_element(changes.begin(), changes.end(),
+                                       [](const PerturbedEntry& a, const PerturbedEntry& b) {
+                                         return a.after.share() < b.after.share();
+                                       });
   return {{"perturbation", perturbation.name},
           {"summary", perturbation.summary},
           {"entries", changes.size()},

@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/machines.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/rating.h"
 
 namespace ricochet::studies::comparison {

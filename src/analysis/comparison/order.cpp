@@ -12,8 +12,8 @@
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
+#include "src/core/instance.h"
 #include "src/core/names.h"
-#include "src/core/seed.h"
 
 namespace ricochet::studies::comparison {
 

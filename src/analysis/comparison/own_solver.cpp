@@ -1,5 +1,3 @@
-#include "src/analysis/comparison/own_solver.h"
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -7,12 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/experiment/campaign.h"
 
 namespace ricochet::studies::comparison {

@@ -18,7 +18,7 @@
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/statistics/attainment.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 
@@ -334,12 +334,13 @@ Json separation_data(const Comparison& comparison, std::size_t problem) {
     entries.push_back({&comparison.campaign->solvers()[result.cell->solver], cell.formulation,
                        static_cast<double>(solved.successes) / solved.trials});
   }
-  Json data = {{"entries", entries.size()},
-               {"solving", std::ranges::count_if(
-                               entries, [](const Solved& entry) { return entry.share >= solving_share; })},
-               {"separates", nullptr},
-               {"those", nullptr},
-               {"others", nullptr}};
+  Json data = {
+      {"entries", entries.size()},
+      {"solving", std::ranges::count_if(
+                      entries, [](const Solved& entry) { return entry.share >= solving_share; })},
+      {"separates", nullptr},
+      {"those", nullptr},
+      {"others", nullptr}};
   const std::vector<Split> splits = splits_of(entries);
   std::vector<double> p_values;
   for (const Split& split : splits) {

@@ -14,7 +14,7 @@
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 

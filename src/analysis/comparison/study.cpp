@@ -9,21 +9,16 @@
 #include <utility>
 
 #include "ricochet/solver.h"
-#include "src/analysis/comparison/answers.h"
-#include "src/analysis/comparison/changes.h"
-#include "src/analysis/comparison/costs.h"
-#include "src/analysis/comparison/factors.h"
 #include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/machines.h"
 #include "src/analysis/comparison/order.h"
-#include "src/analysis/comparison/own_solver.h"
 #include "src/analysis/comparison/pairs.h"
 #include "src/analysis/comparison/reported_part.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/comparison/view.h"
 #include "src/analysis/results.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/experiment/archived_campaign.h"
 #include "src/experiment/merge.h"
 

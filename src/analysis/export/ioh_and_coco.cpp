@@ -56,8 +56,8 @@ std::int64_t after(std::int64_t count) {
 /// Files of one algorithm on one problem.
 class CocoCase {
  public:
-  CocoCase(const comparison::JudgedRun& first, const Completeness& completeness, Numbering& numbering,
-       const fs::path& folder)
+  CocoCase(const comparison::JudgedRun& first, const Completeness& completeness,
+           Numbering& numbering, const fs::path& folder)
       : comment_(completeness.is_in_doubt() ? "of a campaign of ricochet: " + in_words(completeness)
                                             : "of ricochet"),
         root_(folder / numbering.algorithm(first.stored.key.cell)),
@@ -189,7 +189,7 @@ runs count with all their evaluations, identical runs count once, intervals are 
 class IohCase {
  public:
   IohCase(const comparison::JudgedRun& first, const CampaignDescription& campaign,
-       const Completeness& completeness, Numbering& numbering, const fs::path& folder)
+          const Completeness& completeness, Numbering& numbering, const fs::path& folder)
       : root_(folder / numbering.algorithm(first.stored.key.cell)),
         stem_(fmt::format("f{}_{}", numbering.function_id(first.problem.name),
                           numbering.function_name(first.problem.name))),

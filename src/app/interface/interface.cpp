@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/suite/families.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
@@ -21,7 +20,7 @@
 #include "src/core/instance.h"
 #include "src/core/names.h"
 #include "src/core/toml.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 /// How external programs open and close problems.
 namespace ricochet::interface {

@@ -1,5 +1,3 @@
-#include "src/report/site/front_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

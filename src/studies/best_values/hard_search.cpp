@@ -1,5 +1,3 @@
-#include "src/studies/best_values/hard_search.h"
-
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -19,9 +17,10 @@
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
 #include "ricochet/random.h"
-#include "solvers/basic_solvers.h"
+#include "solvers/library_solvers.h"
+#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
+#include "src/studies/best_values/best_values.h"
 
 namespace ricochet::studies::best_values {
 

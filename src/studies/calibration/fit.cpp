@@ -16,8 +16,8 @@
 #include "ricochet/error.h"
 #include "ricochet/run.h"
 #include "src/core/files.h"
+#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
 #include "src/core/toml.h"
 #include "src/studies/paper/loss.h"
 

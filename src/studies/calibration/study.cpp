@@ -12,9 +12,9 @@
 #include "src/core/files.h"
 #include "src/core/progress.h"
 #include "src/report/json.h"
-#include "src/studies/paper/loss.h"
 #include "src/studies/calibration/results.h"
 #include "src/studies/paper/interpretation.h"
+#include "src/studies/paper/loss.h"
 
 namespace ricochet::studies {
 
@@ -205,9 +205,12 @@ Json frontier_row(const RankedFit& r, const std::vector<Unknown>& fitted_before)
   Json row = data_of(r);
   row["name"] = names.empty() ? "nothing fixed" : "fixed:" + names;
   row["held"] = std::move(held);
-  row["reached"] = {{"within", a.within == 10},         {"exact_counts", a.exact_counts == 10},
-                    {"purity", a.purity >= least_purity},        {"misclassified", a.misclassified <= most_misclassified},
-                    {"loudness", a.loudness >= least_loudness},    {"right_examples", a.right_examples == 20},
+  row["reached"] = {{"within", a.within == 10},
+                    {"exact_counts", a.exact_counts == 10},
+                    {"purity", a.purity >= least_purity},
+                    {"misclassified", a.misclassified <= most_misclassified},
+                    {"loudness", a.loudness >= least_loudness},
+                    {"right_examples", a.right_examples == 20},
                     {"quiet_share", a.quiet_share == 0}};
   return row;
 }

@@ -1,9 +1,9 @@
-#include "src/studies/fireworks/cec2013.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <pagmo/problems/cec2013.hpp>
+
+#include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

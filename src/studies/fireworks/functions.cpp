@@ -1,5 +1,3 @@
-#include "src/studies/fireworks/functions.h"
-
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -123,7 +121,7 @@ Json shift_data(int runs) {
   const auto errors = errors_of(entries, shift_evaluations, runs, "shifted sphere");
   Json data = {
       {"source", table["source"]}, {"evaluations", shift_evaluations}, {"runs", runs},
-      {"shifts", table["rows"]},   {"solvers", Json::array()},   {"biased", Json::array()}};
+      {"shifts", table["rows"]},   {"solvers", Json::array()},         {"biased", Json::array()}};
   std::size_t next = 0;
   for (const Solver& member : members) {
     Json cells = Json::array();

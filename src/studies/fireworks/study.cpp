@@ -8,15 +8,13 @@
 #include <stdexcept>
 
 #include "embedded/published.h"
-#include "solvers/basic_solvers.h"
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "solvers/fireworks/fireworks.h"
+#include "solvers/library_solvers.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/progress.h"
-#include "src/studies/fireworks/functions.h"
 
 #ifdef RICOCHET_HAS_PAGMO
-#include "src/studies/fireworks/cec2013.h"
 #endif
 
 namespace ricochet::studies::fireworks {

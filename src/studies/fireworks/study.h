@@ -13,6 +13,24 @@
 
 namespace ricochet::studies::fireworks {
 
+/// Returns one of the nine functions on which the algorithm was published, by its name in Table 3,
+/// on [-100, 100]^n; its best value is 0. Schwefel is sum (x_1 - x_i^2)^2 + (x_i - 1)^2; Ellipse,
+/// Cigar and Tablet have the factor 10^4. Throws std::out_of_range for another name.
+Problem benchmark_function(const std::string& name, Eigen::Index n);
+
+/// Sum (x_i - shift)^2 on [-100, 100]^n.
+Problem shifted_sphere(double shift, Eigen::Index n);
+
+/// Error of every member of the family on Sphere, in 30 dimensions with 10,000 evaluations, over
+/// the distance of the optimum from the origin.
+report::Json shift_data(int runs);
+
+/// Function 1 to 28 of the competition on real-parameter optimisation at CEC 2013, on [-100,
+/// 100]^n, minus its best value, so that the minimum is 0; n is 2, 5, 10, 20, ..., 100. The code is
+/// pagmo's, which is not thread-safe: one problem per thread. Throws std::invalid_argument for
+/// another number or n.
+Problem cec2013(unsigned number, unsigned n);
+
 /// Tan and Zhu's program, the corrected one, EFWA, dynFWA, BBFWA, LoTFWA, MGFWA and FWASSP on six
 /// functions of the competition of CEC 2013, in 30 dimensions, with the results of other
 /// implementations. No rows in a build without pagmo.

@@ -11,7 +11,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "src/studies/impact_test/scene_kinds.h"
 
 namespace ricochet::studies::impact_test {

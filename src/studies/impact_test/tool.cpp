@@ -19,9 +19,9 @@
 #include "ricochet/error.h"
 #include "solvers/outside/line_solver.h"
 #include "src/core/files.h"
+#include "src/core/instance.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
 #include "src/core/toml.h"
 #include "src/report/json.h"
 

@@ -23,8 +23,9 @@ struct SpeedCell {
 /// and of about 0.6 rad/s beyond.
 std::vector<SpeedCell> speed_cells(double threshold);
 
-/// What the paper claims of a threshold, as goals of a case's score (threshold.h): nearly all speeds
-/// below it have the quiet count, hardly any lies on the wrong side, and it is clearly louder above.
+/// What the paper claims of a threshold, as goals of a case's score (threshold.h): nearly all
+/// speeds below it have the quiet count, hardly any lies on the wrong side, and it is clearly
+/// louder above.
 inline constexpr double least_purity = 0.9, most_misclassified = 0.02, least_loudness = 1.5;
 
 /// Higher counts are taken as one more than this.

@@ -13,7 +13,6 @@
 #include "ricochet/run.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/instance.h"
-#include "src/core/seed.h"
 #include "src/experiment/planned_runs.h"
 #include "src/report/painted.h"
 #include "src/report/text.h"

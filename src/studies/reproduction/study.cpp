@@ -10,7 +10,7 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"

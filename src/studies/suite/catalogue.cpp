@@ -1,12 +1,10 @@
-#include "src/studies/suite/catalogue.h"
-
 #include <utility>
 
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
 #include "solvers/outside/outside.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::studies {
 

@@ -1,14 +1,13 @@
-#include "src/studies/suite/families.h"
-
 #include <fmt/format.h>
 
 #include <stdexcept>
 
 #include "problems/carrier_track/scene/scene_file.h"
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "src/studies/paper/loss.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet {
 namespace {

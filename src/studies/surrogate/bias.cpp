@@ -1,5 +1,3 @@
-#include "src/studies/surrogate/bias.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,6 +16,7 @@
 #include "src/core/instance.h"
 #include "src/core/progress.h"
 #include "src/experiment/worker.h"
+#include "src/studies/surrogate/study.h"
 
 namespace ricochet::studies::surrogate {
 

@@ -10,8 +10,8 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "src/analysis/statistics/intervals.h"
+#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
 #include "src/studies/surrogate/derivative_check.h"
 
 namespace ricochet::studies::surrogate {

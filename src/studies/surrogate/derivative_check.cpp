@@ -13,9 +13,9 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/problem.h"
 #include "src/analysis/statistics/intervals.h"
+#include "src/core/instance.h"
 #include "src/core/numeric.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
 #include "src/studies/surrogate/continuity.h"
 
 namespace ricochet::studies::surrogate {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ricochet/problem.h"
-#include "src/studies/surrogate/bias.h"
 #include "src/studies/surrogate/continuity.h"
 #include "src/studies/surrogate/derivative_check.h"
 #include "src/studies/surrogate/growth.h"

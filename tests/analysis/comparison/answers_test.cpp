@@ -1,6 +1,6 @@
-#include "src/analysis/comparison/answers.h"
-
 #include <gmock/gmock.h>
+
+#include "src/analysis/comparison/sections.h"
 
 namespace ricochet::studies::comparison {
 namespace {

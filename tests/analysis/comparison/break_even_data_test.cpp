@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/analysis/comparison/costs.h"
+#include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 

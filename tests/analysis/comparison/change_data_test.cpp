@@ -3,13 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "src/analysis/comparison/changes.h"
-#include "src/analysis/comparison/machines.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/stored_campaign.h"
-#include "tests/experiment/campaign/made_up_catalogue.h"
 #include "tests/core/best_point_of.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet::studies::comparison {
 namespace {
@@ -90,7 +89,7 @@ TEST_F(Changes, OfTheFidelityTurnTheOrderOver) {
   EXPECT_EQ(rows[2]["agreement"]["solvers"], 6);
 }
 
-TEST_F(Changes, OfWidthAndPriceAreComparedWithTheUsualOnes) {
+TEST_F(Changes, OfSmoothingAndPriceAreComparedWithTheUsualOnes) {
   const Json rows = data_of(
       "[[part]]\nproblems = \"cup-s\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
       "smoothings = [0.125, 1]\nformulations = \"surrogate*\"\ngradient_prices = [0, \"n\"]",

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "src/analysis/comparison/changes.h"
+#include "src/analysis/comparison/sections.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::studies::comparison {

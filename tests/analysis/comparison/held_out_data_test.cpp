@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "src/analysis/comparison/own_solver.h"
+#include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 

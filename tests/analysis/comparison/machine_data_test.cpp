@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "src/analysis/comparison/factors.h"
-#include "src/analysis/comparison/machines.h"
+#include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/experiment/stored_campaign.h"
 #include "tests/analysis/comparison/made_up_results.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "src/analysis/comparison/answers.h"
+#include "src/analysis/comparison/sections.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/analysis/comparison/own_solver.h"
+#include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 

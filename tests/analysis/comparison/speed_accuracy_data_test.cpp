@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "src/analysis/comparison/costs.h"
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 

@@ -17,13 +17,13 @@
 namespace ricochet::carrier_track {
 namespace {
 
-TEST(Collisions, StepIsTheHeavisideStepAtWidthZero) {
+TEST(Collisions, StepIsTheHeavisideStepAtSmoothingZero) {
   EXPECT_EQ(step(1e-300, 0.0), 1.0);
   EXPECT_EQ(step(0.0, 0.0), 0.0);
   EXPECT_EQ(step(-1e-300, 0.0), 0.0);
 }
 
-TEST(Collisions, StepIsALogisticAtAnyOtherWidth) {
+TEST(Collisions, StepIsALogisticAtAnyOtherSmoothing) {
   for (const double smoothing : {1e-3, 0.25, 2.0}) {
     EXPECT_EQ(step(0.0, smoothing), 0.5);
     double last = 0;
@@ -166,7 +166,7 @@ TEST(Collisions, CallsAPlateauAPeakOnceItFallsAtTheTimeItWasReached) {
   }
 }
 
-TEST(Collisions, SurrogateTendsToTheCountAsItsWidthShrinks) {
+TEST(Collisions, SurrogateTendsToTheCountAsTheSmoothingShrinks) {
   RandomScenes draws(21);
   for (const Case& a_case : all_cases()) {
     Scene scene = scene_of(a_case, exploratory_scene());

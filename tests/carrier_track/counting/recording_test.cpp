@@ -144,7 +144,7 @@ TEST(Recording, HasNoSampleTwiceInARow) {
   }
 }
 
-TEST(Recording, RefusesAWidthOrAPathThatIsNone) {
+TEST(Recording, RefusesASmoothingOrAPathThatIsNone) {
   const Scene scene = bouncing_scene(CountRule::impacts);
   EXPECT_NO_THROW(record(scene, 0, 0));
   for (const double smoothing :

@@ -82,7 +82,8 @@ TEST(PeriodicOrbit, ABallOnAShakenTableStrikesOncePerPeriod) {
 }
 
 TEST(PeriodicOrbit, TheBallOnATableDoublesItsPeriodAtTheClosedFormStrength) {
-  EXPECT_NEAR(doubling_strength(0.5, 1), 1.526823700519, 5e-13);  // by another program, in extended precision
+  EXPECT_NEAR(doubling_strength(0.5, 1), 1.526823700519,
+              5e-13);  // by another program, in extended precision
   for (const double e : {0.2, 0.5, 0.8}) {
     for (const int n : {1, 2}) {
       const double strength = doubling_strength(e, n);
@@ -162,7 +163,8 @@ TEST(PeriodicOrbit, ABodyBetweenShakenWallsStrikesOncePerHalfPeriod) {
 
 TEST(PeriodicOrbit, TheOrbitBetweenShakenWallsIsStableBetweenItsClosedFormBounds) {
   const double third = (1 - 0.5) / (1 + 0.5);
-  EXPECT_NEAR(lowest_ratio(third), 2.5999655236, 5e-11);  // by another program, in extended precision
+  EXPECT_NEAR(lowest_ratio(third), 2.5999655236,
+              5e-11);  // by another program, in extended precision
   EXPECT_NEAR(highest_ratio(third), 9.6346478716, 5e-11);
   for (const double e : {0.3, 0.5, 0.8}) {
     const double rho = (1 - e) / (1 + e);

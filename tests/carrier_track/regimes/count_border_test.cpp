@@ -1,11 +1,10 @@
-#include "problems/carrier_track/regimes/count_border.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 #include <optional>
 
+#include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 

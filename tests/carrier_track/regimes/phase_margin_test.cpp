@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/regimes/count_border.h"
+#include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::carrier_track {

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/regimes/phase_tip.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 

@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 
 namespace ricochet::carrier_track {
 namespace {

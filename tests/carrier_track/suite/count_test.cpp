@@ -33,7 +33,7 @@ TEST(Count, HasASurrogateWithDerivatives) {
                                1e-6);
 }
 
-TEST(Count, HasASurrogateThatComesCloserWithASmallerWidth) {
+TEST(Count, HasASurrogateThatComesCloserWithLessSmoothing) {
   const Problem problem = count_problem(machine("C2")).formulated({0.25});
   const double count = problem.true_values(at(5.0)).objective;
   const Problem sharper = problem.smoothed(0.01);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 

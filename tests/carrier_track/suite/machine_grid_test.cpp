@@ -8,7 +8,6 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/best_known.h"
-#include "problems/carrier_track/suite/families.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "src/core/instance.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 #include "tests/core/hessian_check.h"

@@ -9,8 +9,8 @@
 #include "ricochet/error.h"
 #include "src/experiment/archive.h"
 #include "src/experiment/planned_runs.h"
-#include "tests/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {
 namespace {

@@ -73,7 +73,7 @@ TEST(Campaign, OfTooManyRunsCellsOrMachinesIsRefusedBeforeItIsBuilt) {
                  "1.02e+04 combinations: must be at most 10000");
 }
 
-TEST(Campaign, AddsWidthsToWhatCanBeSmoothed) {
+TEST(Campaign, AddsSmoothingsToWhatCanBeSmoothed) {
   const Campaign campaign =
       campaign_of(part_of("[\"cup-s\", \"bowl-1\"]", "smoothings = [0.125, 0.5]"));
   EXPECT_THAT(names(campaign, &Cell::formulation),

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "src/experiment/planned_runs.h"
-#include "tests/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {
 namespace {

@@ -270,6 +270,28 @@ TEST(Plan, RefusesPartsOfOneName) {
               HasSubstr("part 2: name = 'wide': must be unlike that of another part"));
 }
 
+TEST(Plan, HasThePartsOfThosePlansThatItIncludesAfterItsOwn) {
+  const auto other = [](const std::string& name) {
+    return plan_from("name = \"" + name + "\"\n" + least + "name = \"" + name + "\"\n", name);
+  };
+  const Plan plan = plan_from("include = [\"b\", \"a\"]\n" + least, "my.toml", other);
+  ASSERT_EQ(plan.parts.size(), 3U);
+  EXPECT_EQ(plan.parts[1].name, "b");
+  EXPECT_EQ(plan.parts[2].name, "a");
+  EXPECT_EQ(plan.name, Plan().name);
+  EXPECT_EQ(plan_from("include = \"a\"", "my.toml", other).parts.size(), 1U);
+  const Plan again = plan_from(text_of(plan), "a store");
+  EXPECT_EQ(text_of(again), text_of(plan)) << "a stored plan includes none";
+  EXPECT_THAT(complaint("include = [\"a\"]\n" + least),
+              HasSubstr("include = ['a']: must be left out"));
+  try {
+    plan_from("include = [\"a\", \"a\"]", "my.toml", other);
+    FAIL() << "two parts of one name";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("part 2: name = 'a': must be unlike that of another part"));
+  }
+}
+
 TEST(Plan, RefusesBudgetsThatDoNotRise) {
   const std::string frame = "[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = ";
   EXPECT_THAT(complaint(frame + "[7, 5]"), HasSubstr("budgets = [7, 5]: must rise"));

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "src/experiment/perturbed_coordinates.h"
-#include "tests/experiment/perturbations/random_problem.h"
+#include "src/experiment/perturbations.h"
 #include "tests/core/hessian_check.h"
+#include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
 #include "src/core/run.h"
-#include "src/experiment/perturbed_values.h"
+#include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

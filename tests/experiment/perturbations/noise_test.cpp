@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "src/experiment/perturbed_values.h"
+#include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

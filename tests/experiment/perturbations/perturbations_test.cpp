@@ -142,7 +142,7 @@ TEST_P(EveryPerturbation, HasAnotherDrawForAnotherSeedOrNone) {
   EXPECT_EQ(different.size() == 1, without_chance.contains(perturbation().name));
 }
 
-TEST_P(EveryPerturbation, IsSeenAtEverySmoothingWidth) {
+TEST_P(EveryPerturbation, IsSeenAtEverySmoothing) {
   int seen = 0;
   for (const Problem& problem : problems()) {
     if (!problem.smoothed) continue;

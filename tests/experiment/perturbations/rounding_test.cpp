@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "src/experiment/perturbed_values.h"
+#include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

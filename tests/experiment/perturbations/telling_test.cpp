@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "src/experiment/perturbed_values.h"
+#include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
@@ -70,7 +70,7 @@ TEST(Telling, TellsTheSameValuesWithDerivativesAndWithout) {
   }
 }
 
-TEST(Telling, CountsTheCallsOfEveryWidthTogether) {
+TEST(Telling, CountsTheCallsOfEverySmoothingTogether) {
   const Problem problem = random_problems().front();
   const Problem told = told_by(draw, Drawn::by_call, 3, problem);
   const double first = told.evaluate(problem.start).objective;

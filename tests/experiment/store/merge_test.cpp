@@ -5,8 +5,8 @@
 
 #include "ricochet/error.h"
 #include "src/experiment/store.h"
-#include "tests/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {
 namespace {

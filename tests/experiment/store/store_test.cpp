@@ -23,10 +23,10 @@
 
 #include "ricochet/error.h"
 #include "src/core/files.h"
+#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/seed.h"
-#include "tests/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {
 namespace {

@@ -11,7 +11,6 @@
 #include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "src/core/numeric.h"
-#include "src/core/seed.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {

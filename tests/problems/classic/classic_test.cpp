@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "tests/problems/classic/claims.h"
 
 namespace ricochet::classic {

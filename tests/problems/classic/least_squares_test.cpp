@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <set>
 
-#include "src/core/seed.h"
+#include "src/core/instance.h"
 #include "tests/problems/classic/claims.h"
 
 namespace ricochet::classic {

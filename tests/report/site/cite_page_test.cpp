@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "src/report/site/front_page.h"
+#include "src/report/site/front.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {

@@ -16,7 +16,7 @@
 #include "ricochet/error.h"
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "src/core/process.h"
+#include "src/core/child_process.h"
 #include "tests/solvers/outside/scripts.h"
 #include "tests/solvers/test_problems.h"
 

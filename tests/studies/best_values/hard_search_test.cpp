@@ -1,5 +1,3 @@
-#include "src/studies/best_values/hard_search.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +9,8 @@
 #include "ricochet/machine.h"
 #include "ricochet/run.h"
 #include "ricochet/scene.h"
-#include "solvers/basic_solvers.h"
+#include "solvers/library_solvers.h"
+#include "src/studies/best_values/best_values.h"
 
 namespace ricochet::studies::best_values {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ricochet/solver.h"
-#include "solvers/ceres.h"
+#include "solvers/library_solvers.h"
 #include "src/studies/calibration/fit.h"
 #include "src/studies/paper/interpretation.h"
 

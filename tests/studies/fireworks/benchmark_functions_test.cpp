@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "src/studies/fireworks/functions.h"
+#include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

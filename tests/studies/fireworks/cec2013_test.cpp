@@ -1,5 +1,3 @@
-#include "src/studies/fireworks/cec2013.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -7,6 +5,7 @@
 #include "ricochet/run.h"
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "src/core/instance.h"
+#include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/basic_solvers.h"
-#include "src/studies/fireworks/functions.h"
+#include "solvers/library_solvers.h"
 #include "src/studies/fireworks/study.h"
 
 namespace ricochet::studies::fireworks {

@@ -4,7 +4,6 @@
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/studies/fireworks/functions.h"
 
 namespace ricochet::studies {
 namespace {

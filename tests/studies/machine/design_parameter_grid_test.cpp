@@ -3,8 +3,8 @@
 #include "problems/carrier_track/counting/count.h"
 #include "ricochet/machine.h"
 #include "src/studies/machine/design_parameters.h"
-#include "tests/studies/machine/case_scene.h"
 #include "tests/carrier_track/suite/planar_second_case.h"
+#include "tests/studies/machine/case_scene.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "ricochet/scene.h"
 #include "src/studies/machine/design_parameters.h"
-#include "tests/studies/machine/case_scene.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/studies/machine/case_scene.h"
 
 namespace ricochet::studies::advice {
 namespace {

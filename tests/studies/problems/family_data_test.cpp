@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "src/studies/problems/problems.h"
-#include "src/studies/suite/families.h"
+#include "src/studies/suite/suite.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::studies::problems {

@@ -13,7 +13,7 @@
 #include <set>
 
 #include "ricochet/machine.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 #include "tests/studies/reproduction/drawn_results.h"
 #include "tests/studies/reproduction/tiny_plan.h"
 

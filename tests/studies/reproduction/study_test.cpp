@@ -9,7 +9,7 @@
 #include <string>
 
 #include "ricochet/error.h"
-#include "src/studies/suite/catalogue.h"
+#include "src/studies/suite/suite.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/studies/reproduction/tiny_plan.h"
 

@@ -1,5 +1,3 @@
-#include "src/studies/suite/catalogue.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
+#include "src/studies/suite/suite.h"
 
 namespace ricochet::studies {
 namespace {

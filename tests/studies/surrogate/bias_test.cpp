@@ -1,11 +1,10 @@
-#include "src/studies/surrogate/bias.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
+#include "src/studies/surrogate/study.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -27,7 +26,7 @@ TEST(Bias, KnowsTheBestOfTheCountFromAScan) {
   }
 }
 
-TEST(Bias, ClosesAsTheWidthGoesToZero) {
+TEST(Bias, ClosesAsTheSmoothingGoesToZero) {
   for (const CaseBias& row : study().cases) {
     const Bias& closed = row.biases[1];
     EXPECT_LT(closed.error, 1e-9) << row.id;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "src/studies/surrogate/bias.h"
+#include "src/studies/surrogate/study.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/suite/families.h"
+#include "problems/carrier_track/suite/machine.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

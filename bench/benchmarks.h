@@ -8,6 +8,33 @@
 
 namespace ricochet::bench {
 
+/// Registers the measurements of gradients and Hessians with Google Benchmark, each with its cost
+/// in values of the same function and with the allowed cost.
+void add_derivative_benchmarks();
+
+/// Registers with Google Benchmark the cost of a gradient beside the value, in evaluations, for
+/// every family whose problems have derivatives and every number of variables, and what the price
+/// "measured" charges for it: Problem::gradient_cost.
+void add_gradient_cost_benchmarks();
+
+/// Registers with Google Benchmark the derivatives with respect to the shape of a speed profile, by
+/// the adjoint method and by dual numbers, each with its cost in values of the same function.
+void add_shape_benchmarks();
+
+/// Registers the measurements of the simulation with Google Benchmark.
+void add_simulation_benchmarks();
+
+/// Registers the measurements of all event-locating integrators on the same scenes with Google
+/// Benchmark, so that one run gives their ratios.
+void add_integrator_benchmarks();
+
+/// Registers the measurements of many simulations in lanes relative to as many single ones, and of
+/// a certain count relative to a plain one.
+void add_lanes_benchmarks();
+
+/// Registers the regimes of the paper's cases, and curves of their borders.
+void add_regime_benchmarks();
+
 /// Registers the measurements of the memory use of many simulations with Google Benchmark. They
 /// take minutes.
 void add_memory_benchmarks();

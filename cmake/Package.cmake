@@ -28,11 +28,6 @@ string(REGEX REPLACE "^.*Copyright [^\n]*\n+" "" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence "${licence}")
-# Of the one file of others that the pages carry, from its first comment.
-file(READ src/live/page/smol-toml.cjs toml_licence LIMIT 2000)
-string(REGEX MATCH "Redistribution.*SUCH DAMAGE\\." toml_licence "${toml_licence}")
-string(REPLACE "\n*\n" "\n* .\n" toml_licence "${toml_licence}")
-string(REPLACE "\n*" "\n" toml_licence "${toml_licence}")
 file(CONFIGURE OUTPUT debian/copyright @ONLY CONTENT
 "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: ricochet
@@ -41,15 +36,8 @@ Files: *
 Copyright: @copyright@
 License: Expat
 
-Files: src/live/page/smol-toml.cjs
-Copyright: Squirrel Chat et al.
-License: BSD-3-Clause
-
 License: Expat
  @licence@
-
-License: BSD-3-Clause
- @toml_licence@
 ")
 execute_process(
   COMMAND ${PROJECT_SOURCE_DIR}/cmake/debian/changelog ${CPACK_PACKAGE_CONTACT}

@@ -225,7 +225,8 @@ constexpr std::array<std::string_view, 17> read_as_missing = {
 
 std::string label(std::string_view text) {
   if (text == "nan") return "missing-value";
-  const bool swallowed = std::ranges::find(read_as_missing, text) != read_as_missing.end();
+  const bool swallowed =
+      std::find(read_as_missing.begin(), read_as_missing.end(), text) != read_as_missing.end();
   std::string label(swallowed ? "'" : "");
   return label += text;
 }

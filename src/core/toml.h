@@ -3,18 +3,17 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace ricochet {
 
 /// parse_toml() of a file; reads no more than the limit, as it may be a pipe or endless.
-toml::table parse_toml_file(const std::filesystem::path& path);
+toml::table parse_toml_file(const std::string& path);
 
 /// The text of a TOML file, up to one byte beyond the limit. Throws InputError if it cannot be
 /// read.
-std::string read_toml_text(const std::filesystem::path& path);
+std::string read_toml_text(const std::string& path);
 
 /// Limits of a TOML text: its parser needs some hundred bytes of memory for each byte, and calls
 /// itself for every nested table.
@@ -32,6 +31,9 @@ void rename_key(toml::table& table, std::string_view old_key, std::string_view k
 
 /// The same tables as JSON text; what is not finite becomes a text there.
 std::string json_of_toml(const toml::table& table);
+
+/// A value as TOML writes it, in one line, for a message; {...} for a table.
+std::string toml_value(const toml::node& value);
 
 /// The shortest TOML float that reads back to the same number.
 std::string toml_float(double x);

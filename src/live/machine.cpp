@@ -1,7 +1,7 @@
 // The border of the WebAssembly module: plain functions over one machine. Numbers come in by
 // `room`, and go out by `results`; texts go out by `text`. A C++ exception ends the instance, see
 // module/platform/exceptions.cpp: whoever calls makes a new one.
-#include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
 
 #include <cmath>
 #include <cstddef>
@@ -15,13 +15,30 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/toml_table.h"
+#include "problems/carrier_track/suite/cases.h"
 #include "ricochet/error.h"
-#include "ricochet/machine.h"
+#include "src/core/names.h"
+#include "src/core/progress.h"
 #include "src/live/count_there.h"
 #include "src/live/flat_scene.h"
+#include "src/live/machine_file.h"
 #include "src/live/race.h"
 
 #define RICOCHET_EXPORT(name) __attribute__((export_name(#name)))
+
+namespace ricochet {
+namespace {
+
+std::vector<std::string> warnings;  ///< since a file was begun
+
+}  // namespace
+
+/// There is no terminal: who reads the file tells them.
+void warn(const std::string& text) {
+  warnings.push_back(text);
+}
+
+}  // namespace ricochet
 
 namespace ricochet::live {
 namespace {
@@ -105,6 +122,23 @@ RICOCHET_EXPORT(cases) void cases() {
 RICOCHET_EXPORT(quantity) double quantity_in(int size) {
   const std::size_t at = static_cast<std::size_t>(size);
   return quantity(given_text.substr(0, at), given_text.substr(at)).value_or(missing);
+}
+
+/// Numbers: of the machine file in the room, whose name is the text's first `size` bytes. Text:
+/// what to know of it, a line each.
+RICOCHET_EXPORT(read_machine_file) void read_machine_file(int size) {
+  const std::size_t at = static_cast<std::size_t>(size);
+  warnings.clear();
+  const MachineFile file = machine_file(given_text.substr(at), given_text.substr(0, at));
+  told_numbers = file.numbers;
+  told_text.clear();
+  for (const std::string& warning : warnings) tell_line({one_line(warning)});
+  for (const std::string& note : file.notes) tell_line({note});
+}
+
+/// Text: the machine as a file.
+RICOCHET_EXPORT(write_machine_file) void write_machine_file() {
+  told_text = write_scene(machine);
 }
 
 /// The machine becomes that of the numbers in the room.

@@ -28,6 +28,16 @@ std::string key_of(int names) {
   return key;
 }
 
+TEST(TomlText, ShowsAValueInOneLine) {
+  const toml::table table = parse_toml(
+      "value = ['word', \"it's\", -3, 0.1, 2.0, true, [], [[1]], {a = 1}, 1979-05-27, "
+      "07:32:05.5, 1979-05-27T07:32:05Z]",
+      "file");
+  EXPECT_EQ(toml_value(*table.get("value")),
+            "[ 'word', \"it's\", -3, 0.1, 2.0, true, [], [ [ 1 ] ], {...}, 1979-05-27, 07:32:05, "
+            "1979-05-27T07:32:05 ]");
+}
+
 TEST(TomlText, GivesAKeyTodaysName) {
   toml::table table = parse_toml("old = 1\nboth = 2\nnew_both = 3", "file");
   testing::internal::CaptureStderr();

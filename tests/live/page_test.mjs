@@ -2,7 +2,7 @@
 // reports of REPORTS into FOLDER by PROGRAM, which writes live/index.html beside it, and looks at
 // that page. Ends with 0; 1 where something is wrong, which is printed; 77 where Chromium or the
 // modules of tests/report/site are missing and CI is not set.
-import {execFileSync} from "node:child_process";
+import {execFileSync, spawnSync} from "node:child_process";
 import fs from "node:fs";
 import {createRequire} from "node:module";
 import path from "node:path";
@@ -183,15 +183,24 @@ await settled(own);
 const mine = ask("threshold", "--scene", machine).regimes.find((one) => one.most_per_turn > 2).from;
 check(Math.abs(await own.evaluate(() => window.page.found.longRun) - mine) < 1e-6, "a machine file has another answer here");
 const written = path.join(folder, "written.toml");
-fs.writeFileSync(written, await own.evaluate(() => writeMachineFile(window.page.machine, window.page.state.numbers)));
+fs.writeFileSync(written, await own.evaluate(() => window.page.machine.file()));
 const native = ask("simulate", "--scene", written), counted = await own.evaluate(() => window.page.motion.count);
 check(native.count === counted, `the file that it writes has ${native.count} collisions, the page ${counted}`);
-const back = await own.evaluate((toml) => readMachineFile(window.page.machine, toml).numbers.map(String), fs.readFileSync(written, "utf8"));
+const back = await own.evaluate((toml) => window.page.machine.readFile("written.toml", toml).numbers.map(String), fs.readFileSync(written, "utf8"));
 check((await numbers(own)).every((x, k) => x === back[k]), "the file that it writes is another machine");
-for (const [toml, reason] of [["[scene]\nmass = 1", /wall_lower: must be given/], ["[scene]\nmas = 1", /scene.mas: there is no such key/], ["mass = ", /TOML/], ["[scene]\nmass = \"heavy\"", /must be a number/]]) {
-  const said = await own.evaluate((wrongFile) => { try { readMachineFile(window.page.machine, wrongFile); return "accepted"; } catch (error) { return error.message; } }, toml);
-  check(reason.test(said), `of the file ${JSON.stringify(toml)} it says: ${said}`);
-}
+const fresh = path.join(folder, "new.toml");
+fs.writeFileSync(fresh, execFileSync(program, ["machine", "new"], {encoding: "utf8"}).replace(/^friction .*$/m, "friction = { value = 0.2, plus_minus = 0.05 }"));
+const noted = async (name) => {
+  await (await own.$("#open")).uploadFile(name);
+  await own.waitForFunction((file) => document.getElementById("notes").textContent.startsWith(file) || document.getElementById("complaint").textContent.includes(file), {}, path.basename(name));
+  return [await text(own, "notes"), await text(own, "complaint")];
+};
+check((await noted(fresh)).join("|") === "new.toml is shown. scene.friction is uncertain in the file: taken at its value, 0.2.|", `of a new file it says: ${await noted(fresh)}`);
+const broken = path.join(folder, "broken.toml"), kept = await numbers(own);
+fs.writeFileSync(broken, "[scene]\nmas = 1\n[window]\nrevolutions = 1\n");
+const [, complaint] = await noted(broken), {stderr} = spawnSync(program, ["machine", "check", "broken.toml"], {cwd: folder, encoding: "utf8"});
+check(complaint === `That is not possible: ${stderr.trim().replace("ricochet: ", "")}.`, `of a wrong file it says: ${complaint}`);
+check((await numbers(own)).every((x, k) => x === kept[k]), "a wrong file changes the machine");
 await own.close();
 
 // ---- everyone ----

@@ -174,7 +174,7 @@ const MotionSketch::Feature* MotionSketch::counterpart(const Feature& feature, d
 bool MotionSketch::joins_by_features_of(const MotionSketch& one, const MotionSketch& other,
                                         bool forwards) const {
   const double step = other.omega_ - one.omega_;
-  return std::ranges::all_of(one.features_, [&](const Feature& f) {
+  return std::all_of(one.features_.begin(), one.features_.end(), [&](const Feature& f) {
     const bool graze = f.kind == Kind::lower_graze || f.kind == Kind::upper_graze;
     if (graze ? f.margin.value > near_wall : f.margin.value < watched) return true;
     const Feature* match = other.counterpart(f, step);

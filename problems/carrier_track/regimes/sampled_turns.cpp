@@ -364,7 +364,7 @@ std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double 
   } catch (const TimeLimitReached&) {
     // The speeds that had time are returned.
   }
-  std::ranges::reverse(sampled);
+  std::reverse(sampled.begin(), sampled.end());
   return sampled;
 }
 

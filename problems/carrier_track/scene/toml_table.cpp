@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "ricochet/error.h"
 #include "src/core/names.h"
@@ -157,14 +156,8 @@ double TomlTable::certain_number_of(const Field& field, const toml::node& node,
 
 void TomlTable::refuse(std::string_view key, const toml::node& node,
                        std::string_view allowed) const {
-  std::ostringstream text;
-  if (node.is_table()) {
-    text << "{...}";  // would take several lines
-  } else {
-    node.visit([&text](const auto& shown) { text << shown; });
-  }
   throw InputError(
-      fmt::format("{}: {}.{} = {}: must be {}", origin_, name_, key, text.str(), allowed));
+      fmt::format("{}: {}.{} = {}: must be {}", origin_, name_, key, toml_value(node), allowed));
 }
 
 namespace {

@@ -19,7 +19,7 @@ const compiled = async () => {
 class Page {
   constructor(module) {
     this.machine = new Machine(module);
-    const plain = readMachineFile(this.machine, $("default-machine").textContent).numbers;
+    const plain = this.machine.readFile("the default machine", $("default-machine").textContent).numbers;
     this.state = new State(this.machine, plain);
     this.threads = Object.fromEntries(Object.entries({staircase: 400, fineRule: 0, regimes: 1500, map: 0, race: 400}).map(([name, patience]) => [name, new Thread(module, patience)]));
     this.picture = new Picture($("picture"));
@@ -74,7 +74,7 @@ class Page {
       if (!file) return;
       const text = await file.text();
       this.change(() => {
-        const {numbers, notes} = readMachineFile(this.machine, text);
+        const {numbers, notes} = this.machine.readFile(file.name, text);
         this.machine.set(numbers);
         state.beginWith(numbers);
         $("notes").textContent = [`${file.name} is shown.`, ...notes.map((note) => `${note}.`)].join(" ");
@@ -82,7 +82,7 @@ class Page {
       event.target.value = "";
     });
     $("save").addEventListener("click", () => {
-      const url = URL.createObjectURL(new Blob([writeMachineFile(this.machine, state.numbers)], {type: "application/toml"}));
+      const url = URL.createObjectURL(new Blob([this.machine.file()], {type: "application/toml"}));
       element("a", {href: url, download: "machine.toml"}).click();
       setTimeout(() => URL.revokeObjectURL(url), 1000);
     });

@@ -45,13 +45,26 @@ class Machine {
     new Float64Array(this.calls.memory.buffer, at, numbers.length).set(numbers);
   }
 
-  // The number [unit] of a text such as "0.9 mm"; NaN if it is none.
-  quantity(text, unit) {
-    const bytes = new TextEncoder().encode(text + unit), size = new TextEncoder().encode(text).length;
-    const at = this.calls.text_room(bytes.length);
-    new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
-    return this.call("quantity", size).value;
+  // Gives two texts, of which the module finds the second by the first's size, which is returned.
+  giveTexts(first, second) {
+    const [bytes, others] = [first, second].map((text) => new TextEncoder().encode(text)), size = bytes.length + others.length;
+    const at = this.calls.text_room(size), room = new Uint8Array(this.calls.memory.buffer, at, size);
+    room.set(bytes);
+    room.set(others, bytes.length);
+    return bytes.length;
   }
+
+  // The number [unit] of a text such as "0.9 mm"; NaN if it is none.
+  quantity(text, unit) { return this.call("quantity", this.giveTexts(text, unit)).value; }
+
+  // The numbers of a machine file, and what to know of it, a sentence each. `name` is for errors.
+  readFile(name, toml) {
+    const {numbers, text} = this.call("read_machine_file", this.giveTexts(name, toml));
+    return {numbers: Array.from(numbers), notes: text.split("\n").filter(Boolean)};
+  }
+
+  // The machine as a file: what every command of ricochet reads by --scene.
+  file() { return this.call("write_machine_file").text; }
 
   // The machine becomes that of these numbers, one for each of the fields.
   set(numbers) {

@@ -189,10 +189,10 @@ class UnitResiduals : public ceres::CostFunction {
   UnitBox& box_;
 };
 
-using Options = ceres::Solver::Options;
+using LeastSquaresOptions = ceres::Solver::Options;
 
-Options own_options() {
-  Options options;
+LeastSquaresOptions own_least_squares_options() {
+  LeastSquaresOptions options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   // Between bounds Ceres looks for every step along a line. QUADRATIC needs values only; CUBIC
@@ -205,8 +205,8 @@ Options own_options() {
   return options;
 }
 
-Options options_with(const GivenOptions& given) {
-  Options options = own_options();
+LeastSquaresOptions least_squares_options_with(const GivenOptions& given) {
+  LeastSquaresOptions options = own_least_squares_options();
   const auto take = [&](const char* name, double& target) {
     target = number_of(given, name, target);
   };
@@ -216,7 +216,8 @@ Options options_with(const GivenOptions& given) {
   return options;
 }
 
-SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
+SolverTermination minimise_squares(Evaluator& evaluator, const Vector& start,
+                                   const LeastSquaresOptions& options) {
   UnitBox box(evaluator);
   Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
   // Ceres needs the number of residuals beforehand; the evaluator remembers their values.
@@ -243,9 +244,9 @@ Solver least_squares(const GivenOptions& given) {
   solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
   solver.capabilities = ceres_least_squares_capabilities;
   solver.at_limit = AtLimit::own_point;
-  solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
-                                                 Random&) {
-    return minimise(evaluator, start, options);
+  solver.solve = [options = least_squares_options_with(given)](Evaluator& evaluator,
+                                                               const Vector& start, Random&) {
+    return minimise_squares(evaluator, start, options);
   };
   return solver;
 }
@@ -257,7 +258,7 @@ Solver ceres_least_squares() {
 }
 
 AdjustableSolver adjustable_ceres_least_squares() {
-  const Options own = own_options();
+  const LeastSquaresOptions own = own_least_squares_options();
   return {"ceres-trust-region",
           {real_option("initial_trust_region_radius", 1e-12, 1e16, own.initial_trust_region_radius),
            real_option("function_tolerance", 0, 1, own.function_tolerance),

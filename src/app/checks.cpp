@@ -162,9 +162,9 @@ std::vector<Tool> chosen_tools(const ImpactTestOptions& options) {
   return tools;
 }
 
-Level level_named(const std::string& name) {
+studies::impact_test::Level level_named(const std::string& name) {
   std::vector<std::string> names;
-  for (const Level level : all_levels) {
+  for (const studies::impact_test::Level level : all_levels) {
     names.push_back(name_of(level));
     if (names.back() == name) return level;
   }
@@ -176,8 +176,9 @@ fs::path drivers_of(const StudyOptions& study) {
 }
 
 /// Throws InputError for an unknown tool or level.
-Plan plan_of(const ImpactTestOptions& options, const StudyOptions& study) {
-  Plan plan{options.seed, options.scenes, {}, chosen_tools(options), false, study.out};
+studies::impact_test::Plan plan_of(const ImpactTestOptions& options, const StudyOptions& study) {
+  studies::impact_test::Plan plan{options.seed,          options.scenes, {},
+                                  chosen_tools(options), false,          study.out};
   plan.needs_all = options.tools != "all";
   for (const std::string& name : split_patterns(options.levels)) {
     plan.levels.push_back(level_named(name));

@@ -137,7 +137,7 @@ int best_values(const BestValuesOptions& options) {
   if (options.seconds && !(*options.seconds >= 0)) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }
-  Plan plan;
+  studies::best_values::Plan plan;
   plan.problems = options.problems;
   if (options.seconds) plan.seconds = *options.seconds;
   plan.effort.evaluations_per_variable = options.budget;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ricochet/problem.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 
 namespace ricochet {
 

@@ -294,7 +294,7 @@ class CvodeSteps : public StepMethod {
   std::int64_t evaluations_ = 0;
 };
 
-Integrator cvode(std::string name, int method) {
+Integrator cvode_through_contacts(std::string name, int method) {
   return penalty_integrator(std::move(name), "SUNDIALS " SUNDIALS_VERSION, "relative tolerance",
                             [method](const PenaltySystem& system, double tolerance) {
                               return std::make_unique<CvodeSteps>(system, tolerance, method);
@@ -304,11 +304,11 @@ Integrator cvode(std::string name, int method) {
 }  // namespace
 
 Integrator penalty_cvode_adams() {
-  return cvode("cvode-adams", CV_ADAMS);
+  return cvode_through_contacts("cvode-adams", CV_ADAMS);
 }
 
 Integrator penalty_cvode_bdf() {
-  return cvode("cvode-bdf", CV_BDF);
+  return cvode_through_contacts("cvode-bdf", CV_BDF);
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

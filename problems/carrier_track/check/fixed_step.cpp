@@ -28,7 +28,8 @@ namespace {
 /// on time. Friction keeps the sign that it has at the start of the step. A body under friction
 /// whose velocity has changed sign by the end is at rest there: with the wrong sign it would gain
 /// energy.
-State step(const Forces& forces, double time, const State& state, int direction, double length) {
+State runge_kutta_step(const Forces& forces, double time, const State& state, int direction,
+                       double length) {
   const double friction = direction * forces.friction;
   const double a1 = forces.applied(time) - friction;
   const double a23 = forces.applied(time + 0.5 * length) - friction;
@@ -64,7 +65,7 @@ State penalty_step(const PenaltySystem& system, double time, const State& state,
 Integrator runge_kutta_4() {
   return {"runge-kutta-4", "ricochet " RICOCHET_VERSION, "step [s]",
           [](const Scene& scene, double longest) {
-            return run_with_reflection(scene, longest, 3, step);
+            return run_with_reflection(scene, longest, 3, runge_kutta_step);
           }};
 }
 
@@ -74,8 +75,8 @@ Integrator penalty_runge_kutta_4() {
 
 namespace {
 
-State step(const Forces& forces, double time, const State& state, int /*direction*/,
-           double length) {
+State euler_step(const Forces& forces, double time, const State& state, int /*direction*/,
+                 double length) {
   const double pushed = state.velocity + length * forces.applied(time);
   const double velocity = after_friction(pushed, length * forces.friction);
   return {state.position + length * velocity, velocity};
@@ -86,7 +87,7 @@ State step(const Forces& forces, double time, const State& state, int /*directio
 Integrator semi_implicit_euler() {
   return {"semi-implicit-euler", "ricochet " RICOCHET_VERSION, "step [s]",
           [](const Scene& scene, double longest) {
-            return run_with_reflection(scene, longest, 1, step);
+            return run_with_reflection(scene, longest, 1, euler_step);
           }};
 }
 
@@ -154,7 +155,7 @@ class MoreauJean {
   double push_;  // [m/s^2], applied at the start of the step
 };
 
-Outcome run(const Scene& scene, double longest) {
+Outcome run_moreau_jean(const Scene& scene, double longest) {
   Outcome outcome;
   StepPlan plan{};
   if (!plan_steps(scene, longest, plan, outcome)) return outcome;
@@ -175,7 +176,7 @@ Outcome run(const Scene& scene, double longest) {
 }  // namespace
 
 Integrator moreau_jean() {
-  return {"moreau-jean", "ricochet " RICOCHET_VERSION, "step [s]", run};
+  return {"moreau-jean", "ricochet " RICOCHET_VERSION, "step [s]", run_moreau_jean};
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
+#include "problems/carrier_track/check/flight_method.h"
 #include "problems/carrier_track/check/integrator.h"
-#include "problems/carrier_track/check/wall_forces.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/machine.h"
 
@@ -87,48 +85,6 @@ Outcome run_with_reflection(const Scene& scene, double longest, std::int64_t eva
   outcome.end = {time, state.position, state.velocity};
   outcome.finished = outcome.failure.empty();
   return outcome;
-}
-
-// NOTE: plain C++17, like forces.h.
-
-/// A scene as one smooth, possibly stiff, equation of motion: what a penalty method integrates.
-struct PenaltySystem {
-  Forces forces;  ///< without friction
-  WallForce wall;
-  double window;  ///< [s]
-  double length;  ///< [m]; absolute tolerances are the relative one times this (and [m/s] alike)
-
-  double acceleration(double time, const State& state) const {
-    return forces.applied(time) + wall(state);
-  }
-};
-
-/// An integrator that advances a PenaltySystem from its start, step by step.
-class StepMethod {
- public:
-  virtual ~StepMethod() = default;
-
-  /// Takes one accepted step, which advances `time` [s] and `state`. They must be the result of the
-  /// last step, or the start. The last step ends at the window's end or beyond. Throws
-  /// std::runtime_error if the method fails.
-  virtual void step(double& time, State& state) = 0;
-
-  /// Evaluations of the acceleration so far.
-  virtual std::int64_t evaluations() const = 0;
-};
-
-// NOTE: plain C++17, like forces.h.
-
-/// Takes one accepted step of a controlled stepper of Boost.Odeint, from `time` to at most `end`
-/// [s]. `step` [s] is its last proposal. Throws std::runtime_error if no step is small enough.
-template <class Stepper, class System, class Vector>
-void take_step(Stepper& stepper, const System& system, Vector& state, double& time, double& step,
-               double end) {
-  double tried = std::min(step, end - time);
-  while (stepper.try_step(system, state, time, tried) == boost::numeric::odeint::fail) {
-    if (!(time + tried > time)) throw std::runtime_error("no step is small enough");
-  }
-  step = tried;
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

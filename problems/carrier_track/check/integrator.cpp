@@ -106,7 +106,7 @@ class ImpactCollector : public Observer {
   std::vector<Impact>& impacts_;
 };
 
-Outcome run(const Scene& scene, double /*control*/) {
+Outcome run_event_driven(const Scene& scene, double /*control*/) {
   Outcome outcome;
   ImpactCollector collector(outcome.impacts);
   try {
@@ -125,7 +125,7 @@ Outcome run(const Scene& scene, double /*control*/) {
 }  // namespace
 
 Integrator event_driven() {
-  return {"event-driven", "ricochet " RICOCHET_VERSION, "none", run};
+  return {"event-driven", "ricochet " RICOCHET_VERSION, "none", run_event_driven};
 }
 
 namespace {

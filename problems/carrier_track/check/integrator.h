@@ -1,20 +1,15 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/check/wall_forces.h"
+#include "problems/carrier_track/check/flight_method.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "src/core/numeric.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
@@ -120,56 +115,6 @@ Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& refe
 /// The number of impacts of `outcome` above the scene's `counting_limit`.
 int collisions(const Scene& scene, const Outcome& outcome);
 
-/// The walls that end a flight [m]; the upper one may be at infinity.
-struct WallPositions {
-  double lower, upper;
-};
-
-/// What a flight method needs to know of a scene.
-struct FlightSetting {
-  Forces forces;
-  WallPositions gap;
-  double window;  ///< [s]
-  double length;  ///< [m]; absolute tolerances are the relative one times this (and [m/s] alike)
-};
-
-/// `length` is the width of the gap; if it is infinite, the start's height above the lower wall, or
-/// 1 m for a start on that wall.
-FlightSetting flight_setting(const BasicScene<double>& scene);
-
-/// A flight without impact, which starts at rest or moves in `direction`. With friction it must end
-/// at zero velocity; without, the body may turn and continue.
-struct Leg {
-  double start;    ///< [s] from the start of the window
-  State state;     ///< within the gap
-  int direction;   ///< +1 or -1
-  double longest;  ///< [s], > 0; the rest of the window
-};
-
-enum class Finish { lower_wall, upper_wall, turn, limit };
-
-struct Landing {
-  Finish finish;
-  double duration;  ///< [s] from the start of the leg
-  State state;      ///< as integrated, so slightly off the wall or off zero velocity
-};
-
-/// An integrator with event location, for smooth motion between impacts. One object serves all legs
-/// of a run, so that it keeps its memory and history.
-class FlightMethod {
- public:
-  virtual ~FlightMethod() = default;
-
-  /// Throws std::runtime_error if the method fails or needs more than most_steps in all.
-  virtual Landing fly(const Leg& leg) = 0;
-
-  /// Evaluations of the forces so far.
-  virtual std::int64_t evaluations() const = 0;
-};
-
-/// A method that takes more steps than this in a run is stopped.
-inline constexpr std::int64_t most_steps = 1'000'000;
-
 /// Simulates a valid scene with the flights of `method`, made for the same scene. The discrete part
 /// of the motion is the same for all such methods:
 /// - Impact: the velocity is reversed and multiplied by the restitution, and the method restarted.
@@ -180,126 +125,5 @@ inline constexpr std::int64_t most_steps = 1'000'000;
 ///   change between samples 1/64 of the shortest period apart and located to rounding. An excess
 ///   that lasts less than that is missed.
 Outcome run_with_located_events(const Scene& scene, FlightMethod& method);
-
-/// The point where f, not positive at `lower` and positive at `upper`, becomes positive: at most a
-/// few roundings of `upper` behind a sign change. If there are several sign changes, it is any of
-/// them. f(result) may be 0.
-template <class Function>
-double rise(Function f, double lower, double upper) {
-  const double at_lower = f(lower);
-  if (at_lower >= 0) return lower;
-  const double width = 4 * std::numeric_limits<double>::epsilon() * upper;
-  return bracketed_root(f, lower, upper, at_lower, f(upper),
-                        [width](double a, double b) { return b - a <= width; })
-      .second;
-}
-
-struct Slope {
-  double value, slope;
-};
-
-/// The point where f, positive at `lower` or right behind it, and not at `upper`, has fallen to
-/// zero, to a few roundings of `upper`; `lower` if f is nowhere positive. f(time) returns a Slope.
-/// Newton's iteration in a bracket, from the root of a parabola through both ends.
-///
-/// NOTE: an integration with event location spends most of its time here; for these smooth, nearly
-/// parabolic functions this needs half the time of toms748_solve.
-template <class Function>
-double fall(Function f, double lower, double upper) {
-  const double width = 4 * std::numeric_limits<double>::epsilon() * upper;
-  const double length = upper - lower;
-  const auto [start, slope_at_start] = f(lower);
-  const double bend = (f(upper).value - start - slope_at_start * length) / (length * length);
-  const double root = std::sqrt(slope_at_start * slope_at_start - 4 * bend * start);
-  double next = lower + (slope_at_start > 0 ? -0.5 * (slope_at_start + root) / bend
-                                            : 2 * start / (root - slope_at_start));
-  double time = upper;
-  while (upper - lower > width) {
-    if (!(next > lower && next < upper)) next = lower + 0.5 * (upper - lower);
-    const bool converged = std::abs(next - time) <= width;
-    time = next;
-    if (converged) break;
-    const auto [value, slope] = f(time);
-    (value > 0 ? lower : upper) = time;
-    next = time - value / slope;
-  }
-  return time;
-}
-
-/// How far `position` is from the wall in `direction` [m], negative behind it.
-inline double distance_ahead(const WallPositions& gap, int direction, double position) {
-  return direction > 0 ? gap.upper - position : position - gap.lower;
-}
-
-/// The first event of a step from `begin` to `end` [s] of the dense output `path(time)`, for motion
-/// in `direction`, which changes at velocity zeros, under the acceleration `pull(time)`. Events are
-/// detected by the signs of velocity and distance at both ends; in a step whose velocity changes
-/// sign, also at the velocity zero. So an event that starts and ends between two velocity zeros of
-/// one step is missed.
-template <class Path, class Pull>
-std::optional<Landing> first_event(const WallPositions& gap, bool turn_ends, int& direction,
-                                   double begin, double end, const State& at_end, Path path,
-                                   Pull pull) {
-  const auto reach = [&](double from, double to) {
-    const auto distance = [&](double t) {
-      const State state = path(t);
-      return Slope{distance_ahead(gap, direction, state.position), -direction * state.velocity};
-    };
-    const double time = fall(distance, from, to);
-    return Landing{direction > 0 ? Finish::upper_wall : Finish::lower_wall, time, path(time)};
-  };
-  double from = begin;
-  if (direction * at_end.velocity < 0) {
-    const auto speed = [&](double t) {
-      return Slope{direction * path(t).velocity, direction * pull(t)};
-    };
-    const double turn = fall(speed, begin, end);
-    const State at_turn = path(turn);
-    if (distance_ahead(gap, direction, at_turn.position) < 0) return reach(begin, turn);
-    if (turn_ends) return Landing{Finish::turn, turn, at_turn};
-    direction = -direction;
-    from = turn;
-  }
-  if (distance_ahead(gap, direction, at_end.position) < 0) return reach(from, end);
-  return std::nullopt;
-}
-
-/// Flies `leg` with a dense-output stepper of Boost.Odeint, whose state type is `Vector`, under the
-/// acceleration `pull(time)`, time [s] from the start of the leg. `workspace` holds two numbers.
-/// `step` is the first step tried [s] and becomes the last one that the stepper proposes; `steps`
-/// is incremented.
-template <class Vector, class Stepper, class System, class Pull>
-Landing fly_dense(Stepper& stepper, const System& system, Pull pull, const WallPositions& gap,
-                  bool turn_ends, const Leg& leg, Vector& workspace, double& step,
-                  std::int64_t& steps) {
-  const auto path = [&](double time) {
-    stepper.calc_state(time, workspace);
-    return State{workspace[0], workspace[1]};
-  };
-  workspace[0] = leg.state.position;
-  workspace[1] = leg.state.velocity;
-  stepper.initialize(workspace, 0.0, step);
-  int direction = leg.direction;
-  for (;;) {
-    if (++steps > most_steps) throw std::runtime_error("more than 1000000 steps");
-    stepper.do_step(system);
-    const bool last = stepper.current_time() >= leg.longest;
-    const double end = last ? leg.longest : stepper.current_time();
-    const auto& state = stepper.current_state();
-    const State at_end = last ? path(end) : State{state[0], state[1]};
-    const auto landing =
-        first_event(gap, turn_ends, direction, stepper.previous_time(), end, at_end, path, pull);
-    if (landing || last) {
-      step = stepper.current_time_step();
-      return landing ? *landing : Landing{Finish::limit, end, at_end};
-    }
-  }
-}
-
-/// The longest step [s]: half a period. Two velocity zeros in one step, which first_event would
-/// miss, are then rare, and the error estimate cannot mistake a whole period for a constant force.
-inline double longest_step(const Forces& forces, double window) {
-  return std::min(window, 0.5 * forces.shortest_period());
-}
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

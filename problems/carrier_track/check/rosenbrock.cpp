@@ -5,8 +5,7 @@
 #include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
 #include <utility>
 
-#include "problems/carrier_track/check/fixed_step.h"
-#include "problems/carrier_track/check/integrator.h"
+#include "problems/carrier_track/check/flight_method.h"
 
 /// Boost.Odeint's rosenbrock4 with a corrected coefficient. NOTE: plain C++17; it does not compile
 /// as C++20.

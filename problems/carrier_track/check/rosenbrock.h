@@ -2,8 +2,7 @@
 
 #include <memory>
 
-#include "problems/carrier_track/check/fixed_step.h"
-#include "problems/carrier_track/check/integrator.h"
+#include "problems/carrier_track/check/flight_method.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

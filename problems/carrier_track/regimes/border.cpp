@@ -10,7 +10,7 @@
 #include "problems/carrier_track/motion/forces.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/scene/scene_values.h"
-#include "src/core/numeric.h"
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline regimes {
 

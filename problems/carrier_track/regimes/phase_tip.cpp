@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "problems/carrier_track/regimes/border.h"
-#include "src/core/numeric.h"
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline regimes {
 

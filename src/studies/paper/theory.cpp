@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "src/core/numeric.h"
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline paper {
 

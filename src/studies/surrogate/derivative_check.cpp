@@ -14,7 +14,7 @@
 #include "ricochet/problem.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/instance.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 #include "src/core/progress.h"
 #include "src/studies/surrogate/continuity.h"
 

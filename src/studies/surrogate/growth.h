@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/scene/scene_values.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 #include "src/report/json.h"
 #include "src/studies/dynamics/lyapunov.h"
 #include "src/studies/surrogate/grazes.h"

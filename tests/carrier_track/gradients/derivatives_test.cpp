@@ -14,7 +14,7 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/machine.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 

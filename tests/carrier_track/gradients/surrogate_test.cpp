@@ -13,7 +13,7 @@
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 

@@ -10,7 +10,7 @@
 
 #include "ricochet/run.h"
 #include "src/core/instance.h"
-#include "src/core/numeric.h"
+#include "src/core/difference.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {

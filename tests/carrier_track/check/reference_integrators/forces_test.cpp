@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/check/random_scenes.h"
-#include "problems/carrier_track/check/wall_forces.h"
+#include "problems/carrier_track/check/flight_method.h"
 #include "problems/carrier_track/motion/impact_model.h"
 
 namespace ricochet::carrier_track {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "problems/carrier_track/check/wall_forces.h"
+#include "problems/carrier_track/check/flight_method.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/scene.h"
 

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/check/wall_forces.h"
+#include "problems/carrier_track/check/flight_method.h"
 
 #include <algorithm>
 #include <numbers>

@@ -44,7 +44,7 @@ struct Store::Database {
   void finish() {
     const Uninterrupted whole;
     if (!lock) return;
-    if (connection) close(*connection);
+    if (connection) close_database(*connection);
     lock.reset();
   }
 

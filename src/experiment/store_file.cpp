@@ -264,7 +264,7 @@ void close_what_is_left(const fs::path& file) {
   } catch (const fs::filesystem_error&) {  // no room for a copy
     return;
   }
-  close(*opened(file, SQLite::OPEN_READWRITE));
+  close_database(*opened(file, SQLite::OPEN_READWRITE));
 }
 
 template <class Work>
@@ -307,7 +307,7 @@ std::unique_ptr<SQLite::Database> opened_for_adding(const fs::path& file) {
   return explained(file, [&] { return writable(file); });
 }
 
-void close(SQLite::Database& database) {
+void close_database(SQLite::Database& database) {
   database.tryExec("PRAGMA busy_timeout = 0; PRAGMA wal_checkpoint(TRUNCATE)");
   database.tryExec("PRAGMA journal_mode = DELETE");
   database.tryExec("PRAGMA query_only = ON");

@@ -33,7 +33,7 @@ std::unique_ptr<SQLite::Database> opened_for_adding(const std::filesystem::path&
 
 /// Moves all runs into the one file, which can be read in a read-only folder, and lets the database
 /// read only. Leaves the runs in two files while others read them. Never waits.
-void close(SQLite::Database& database);
+void close_database(SQLite::Database& database);
 
 /// The data read differ from those written.
 class Damage : public std::runtime_error {

@@ -1,8 +1,8 @@
+#include "src/core/difference.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "src/core/difference.h"
 
 namespace ricochet {
 namespace {

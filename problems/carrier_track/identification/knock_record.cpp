@@ -11,7 +11,6 @@
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
 #include "src/core/csv.h"
-#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 namespace ricochet::carrier_track::inline identification {
 

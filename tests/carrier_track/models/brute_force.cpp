@@ -91,7 +91,7 @@ class Stepper {
 
 }  // namespace
 
-double applied_force(const Scene& scene, double time) {
+double force_of_plate(const Scene& scene, double time) {
   const double omega = scene.omega;
   const double cosine = std::cos(omega * time + scene.phase);
   const double turned = std::cos(omega * time + scene.phase + scene.pull_phase);
@@ -118,8 +118,9 @@ BruteForce brute_force(const Scene& scene, double step) {
   Stepper stepper(scene);
   for (long k = 0; k < steps; ++k) {
     const long double start = k * exact_step;
-    stepper.advance(start, exact_step,
-                    applied_force(scene, static_cast<double>(start + exact_step / 2)) / scene.mass);
+    stepper.advance(
+        start, exact_step,
+        force_of_plate(scene, static_cast<double>(start + exact_step / 2)) / scene.mass);
   }
   return stepper.result();
 }

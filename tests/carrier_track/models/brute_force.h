@@ -9,7 +9,7 @@
 namespace ricochet::carrier_track {
 
 /// Force [N] of equation (31) on a body, but for contact and friction, straight from the formula.
-double applied_force(const Scene& scene, double time);
+double force_of_plate(const Scene& scene, double time);
 
 /// A slow reference that shares nothing with the impact model but the scene: long double, fixed
 /// steps [s], and within each step a constant force, that of its middle, under which the body moves

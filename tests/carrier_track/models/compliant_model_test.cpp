@@ -606,7 +606,7 @@ class Reference {
     const double speed = state_.speed + share * slope.speed;
     const double contact =
         scene_.stiffness * std::pow(depth, scene_.contact_exponent) * (1 + damping_ * speed);
-    return {speed, (-applied_force(scene_, time_ + later) - contact) / scene_.mass};
+    return {speed, (-force_of_plate(scene_, time_ + later) - contact) / scene_.mass};
   }
 
   const Scene& scene_;

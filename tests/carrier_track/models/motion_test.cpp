@@ -31,7 +31,7 @@ void expect_equation_31(const Scene& scene, const Watched<double>::Stretch& s) {
     const Motion<double> m = s.flight.at(share * s.duration);
     ASSERT_GE(m.position, scene.wall_lower - 1e-16);
     ASSERT_LE(m.position, scene.wall_upper + 1e-16);
-    const double push = applied_force(scene, s.time + share * s.duration) / scene.mass;
+    const double push = force_of_plate(scene, s.time + share * s.duration) / scene.mass;
     if (rests(s)) {
       ASSERT_TRUE(push <= friction + 1e-12 || m.position == scene.wall_upper) << push - friction;
       ASSERT_TRUE(push >= -friction - 1e-12 || m.position == scene.wall_lower) << push + friction;
@@ -105,7 +105,7 @@ TEST(Motion, BalancesItsEnergy) {
     for (const auto& s : watched.stretches) {
       const auto power = [&](double t) {
         const double velocity = s.flight.at(t).velocity;
-        return applied_force(scene, s.time + t) * velocity -
+        return force_of_plate(scene, s.time + t) * velocity -
                scene.friction * scene.normal_force * std::abs(velocity);
       };
       const int panels = 1 + static_cast<int>(s.duration * 40);

@@ -71,7 +71,7 @@ BruteForce planar_brute_force(const Scene& scene, double step) {
   BruteForce result{};
   for (long k = 0; k < steps; ++k) {
     const auto middle = static_cast<double>((k + 0.5L) * h);
-    const std::array<long double, 2> push = {applied_force(scene, middle) / scene.mass,
+    const std::array<long double, 2> push = {force_of_plate(scene, middle) / scene.mass,
                                              applied_force_across(scene, middle) / scene.mass};
     for (long double left = h; left > 0;) {
       std::array<int, 2> way{};

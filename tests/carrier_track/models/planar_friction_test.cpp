@@ -60,7 +60,7 @@ TEST(PlanarFriction, AVaryingPressSlowsASlidingBodyAsAnIntegratorHasIt) {
     const auto motion = [&](const State& x, State& slope, double time) {
       const double press = applied_force_across(scene, time);
       const double friction = scene.friction * (scene.normal_force + press);
-      slope = {x[1], (applied_force(scene, time) - sigma * friction) / scene.mass};
+      slope = {x[1], (force_of_plate(scene, time) - sigma * friction) / scene.mass};
     };
     State state = {0, scene.start_velocity};
     odeint::integrate_adaptive(

@@ -305,7 +305,7 @@ TEST_F(StoreFile, IsNotBegunWhereNoMoreFilesMayBeOpen) {
   rlimit before{};
   getrlimit(RLIMIT_NOFILE, &before);
   const int next = dup(STDERR_FILENO);
-  close(next);
+  ::close(next);
   const rlimit all_taken = {static_cast<rlim_t>(next), before.rlim_max};
   setrlimit(RLIMIT_NOFILE, &all_taken);
   EXPECT_THAT([&] { Store::create(file, a_description()); },
@@ -431,7 +431,7 @@ TEST_F(StoreFile, HasAllRunsThatWereAddedBeforeItsWriterWasKilled) {
         }
       }
     }
-    close(ends[1]);
+    ::close(ends[1]);
     pollfd first{ends[0], POLLIN, 0};
     if (killed % 2 == 0) poll(&first, 1, 10'000);  // else before it has added any, maybe
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));
@@ -442,7 +442,7 @@ TEST_F(StoreFile, HasAllRunsThatWereAddedBeforeItsWriterWasKilled) {
     for (ssize_t got = 0; (got = read(ends[0], told, sizeof told)) > 0;) {
       acknowledged += static_cast<int>(got);
     }
-    close(ends[0]);
+    ::close(ends[0]);
     const Store store = Store::open(file, Store::For::reading);
     const auto keys = store.keys();
     there = static_cast<int>(keys.size());

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ricochet/run.h"
-#include "src/core/instance.h"
 #include "src/core/difference.h"
+#include "src/core/instance.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {

@@ -62,12 +62,12 @@ TEST(SparkCounts, StayWithinTheirLimitsAndFollowTheFitness) {
 }
 
 TEST(SparkCounts, AreRefusedWhereAFireworkMightHaveNone) {
-  EXPECT_THROW(check({.sparks = 5}), std::invalid_argument);
-  EXPECT_THROW(check({.fewest = 0.9}), std::invalid_argument);
-  EXPECT_THROW(check({.most = 1}), std::invalid_argument);
-  EXPECT_THROW(check({.sparks = std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(check({.epsilon = 0}), std::invalid_argument);
-  EXPECT_NO_THROW(check({}));
+  EXPECT_THROW(check(SparkCountOptions{.sparks = 5}), std::invalid_argument);
+  EXPECT_THROW(check(SparkCountOptions{.fewest = 0.9}), std::invalid_argument);
+  EXPECT_THROW(check(SparkCountOptions{.most = 1}), std::invalid_argument);
+  EXPECT_THROW(check(SparkCountOptions{.sparks = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(check(SparkCountOptions{.epsilon = 0}), std::invalid_argument);
+  EXPECT_NO_THROW(check(SparkCountOptions{}));
 }
 
 }  // namespace

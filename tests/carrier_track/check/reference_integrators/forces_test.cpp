@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/check/flight_method.h"
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/impact_model.h"
 
 namespace ricochet::carrier_track {

@@ -83,7 +83,9 @@ class Audit {
   Audit(const std::vector<File>& files, const Drawing& drawing) : files_(files) {
     for (const File& file : files) {
       paths_.insert(file.path);
-      folders_.insert(folder_of(file.path));
+      for (std::string folder = folder_of(file.path); !folder.empty(); folder = folder_of(folder)) {
+        folders_.insert(folder);
+      }
       stems_.insert(without_ending(file.path));
     }
     read(drawing.parts);

@@ -22,8 +22,8 @@ report::Json threshold_data(const std::vector<CaseStudy>& cases);
 report::Json theory_data(const std::vector<CaseStudy>& cases);
 
 /// How close any model can come to the paper's thresholds, whatever its equations: lower bounds, in
-/// closed form, on the error of thresholds that are ordered as the paper concludes, that fall in
-/// proportion to the disturbance, and that do not depend on it.
+/// closed form, on the error of ln(threshold) if thresholds are ordered as the paper concludes, if
+/// they fall in proportion to the disturbance, and if they do not depend on it.
 report::Json bound_data();
 
 /// Collision count against speed, one chart for each case.

@@ -432,11 +432,11 @@ report::Json bound_data() {
   const std::vector<Case> cases = cases_with_threshold();
   const std::vector<double> logs = log_thresholds(cases);
   std::vector<Response> all = responses(cases);
-  std::ranges::sort(all, std::greater(), &Response::first_share);
+  std::ranges::sort(all, std::greater(), &Response::below_chord);
   const auto row = [](const char* premise, const OrderBound& bound) -> report::Json {
     return {{"premise", premise},
-            {"largest", std::expm1(bound.largest)},
-            {"root_mean_square", std::expm1(bound.root_mean_square)}};
+            {"largest", bound.largest},
+            {"root_mean_square", bound.root_mean_square}};
   };
   report::Json steepest = report::list_of(all, [](const Response& r) -> report::Json {
     return {{"first", r.cases.front().id}, {"first_share", r.first_share}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ricochet/random.h"
+#include "src/studies/reproduction/data.h"
 #include "src/studies/reproduction/theory_data.h"
 
 namespace ricochet::studies::reproduction {
@@ -149,6 +150,18 @@ TEST(ProportionalBound, IsThatOfAllConcaveThresholds) {
   EXPECT_LE(bound.root_mean_square, std::sqrt(least_squares / 3) + 1e-12);
   EXPECT_NEAR(bound.largest, least_largest, 0.0025);
   EXPECT_LE(bound.largest, least_largest + 1e-12);
+}
+
+TEST(OrderBound, IsShownWithWhatItRestsOn) {
+  const report::Json data = bound_data();
+  ASSERT_EQ(data["rows"].size(), 3U);
+  // C10 is above C6, and C5 as far below the chord from C1 to C9, of which half is each one's share.
+  EXPECT_NEAR(data["rows"][0]["largest"].get<double>(), std::log(2 / 1.9) / 2, 1e-12);
+  const double below = 0.9 * std::log(9.0) + 0.1 * std::log(7.3) - std::log(8.0);
+  EXPECT_NEAR(data["rows"][1]["largest"].get<double>(), below / 2, 1e-12);
+  EXPECT_EQ(data["steepest"]["first"], "C1");
+  EXPECT_NEAR(data["steepest"]["first_share"].get<double>(), std::log(9.0 / 8) / std::log(9 / 7.3),
+              1e-12);
 }
 
 }  // namespace

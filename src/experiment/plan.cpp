@@ -311,7 +311,8 @@ void add_plan(Plan& plan, const Plan& other) {
   plan.parts.insert(plan.parts.end(), other.parts.begin(), other.parts.end());
 }
 
-/// Throws InputError if two solvers, scenes or named parts have one name.
+/// Throws InputError if two scenes or named parts have one name. (Of solvers, the campaign says
+/// it.)
 template <class List>
 void check_names(const List& list, const std::string& origin, const std::string& what) {
   std::set<std::string> names;
@@ -359,7 +360,6 @@ Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles file
     in.refuse("include", *file.get("include"), "left out: this plan is stored, or included itself");
   }
   for (const std::string& name : include) add_plan(plan, included(name));
-  check_names(plan.solvers, origin, "solver");
   check_names(plan.scenes, origin, "scene");
   check_names(plan.parts, origin, "part");
   return plan;

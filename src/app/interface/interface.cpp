@@ -1,6 +1,5 @@
 #include "src/app/interface/interface.h"
 
-#include <fmt/format-inl.h>
 #include <fmt/format.h>
 #include <ricochet/ricochet.h>
 
@@ -172,31 +171,6 @@ void keep_error(const std::exception_ptr& failure) noexcept {
     shown = "there is not enough memory";
   }
 }
-
-}  // namespace ricochet::interface
-
-// toml++ and fmt, compiled into libricochet.so: where it runs, it then needs neither.
-#define TOML_IMPLEMENTATION
-#include <toml++/toml.h>
-
-FMT_BEGIN_NAMESPACE
-namespace detail {
-
-// What fmt's own library instantiates, as far as its headers declare it.
-template FMT_API auto dragonbox::to_decimal(float x) noexcept -> dragonbox::decimal_fp<float>;
-template FMT_API auto dragonbox::to_decimal(double x) noexcept -> dragonbox::decimal_fp<double>;
-template FMT_API locale_ref::locale_ref(const std::locale& loc);
-template FMT_API auto locale_ref::get<std::locale>() const -> std::locale;
-template FMT_API auto thousands_sep_impl(locale_ref) -> thousands_sep_result<char>;
-template FMT_API auto decimal_point_impl(locale_ref) -> char;
-template FMT_API void buffer<char>::append(const char*, const char*);
-template FMT_API void vformat_to(buffer<char>&, string_view,
-                                 basic_format_args<FMT_BUFFER_CONTEXT(char)>, locale_ref);
-
-}  // namespace detail
-FMT_END_NAMESPACE
-
-namespace ricochet::interface {
 
 std::string scene_text(const std::string& file) {
   if (file.empty()) throw InputError("the machine file has no name");

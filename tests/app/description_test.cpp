@@ -64,7 +64,7 @@ TEST(Description, CompletesNamesOfProblemsSolversPlansAndCases) {
               AllOf(HasSubstr(":value:_ricochet_or_file "), HasSubstr(" nlopt-cobyla "),
                     HasSubstr(" top-speed-C12 ")));
   EXPECT_THAT(call("describe fish").out,
-              AllOf(HasSubstr("from run' -F -a 'quick default reference full'"),
+              AllOf(HasSubstr("from run' -F -a 'quick default studies reference full'"),
                     HasSubstr("-l solver-accepts -r -F -a '")));
   EXPECT_THAT(call("describe man").out, testing::Not(HasSubstr("top\\-speed\\-C12")));
 }

@@ -174,9 +174,9 @@ TEST_F(EntryScript, BuildsNothingForHelp) {
   EXPECT_EQ(script("checkout/ricochet --help"), (folder / "ricochet").string() + "\n");
   EXPECT_EQ(script("checkout/ricochet help list"), (folder / "ricochet").string() + "\n");
   EXPECT_THAT(script("checkout/ricochet help test"), HasSubstr("test --sanitize"));
-  EXPECT_THAT(script("checkout/ricochet limits -h"), HasSubstr("limits is not built yet"));
+  EXPECT_THAT(script("checkout/ricochet surrogate -h"), HasSubstr("surrogate is not built yet"));
   make_executable(folder / "ricochet-studies", "#!/bin/sh\n");
-  EXPECT_EQ(script("checkout/ricochet limits -h"), (folder / "ricochet").string() + "\n");
+  EXPECT_EQ(script("checkout/ricochet surrogate -h"), (folder / "ricochet").string() + "\n");
   EXPECT_FALSE(fs::exists(root_ / "log"));
 }
 

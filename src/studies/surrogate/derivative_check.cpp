@@ -13,8 +13,8 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/problem.h"
 #include "src/analysis/statistics/intervals.h"
-#include "src/core/instance.h"
 #include "src/core/difference.h"
+#include "src/core/instance.h"
 #include "src/core/progress.h"
 #include "src/studies/surrogate/continuity.h"
 

@@ -155,7 +155,8 @@ TEST(ProportionalBound, IsThatOfAllConcaveThresholds) {
 TEST(OrderBound, IsShownWithWhatItRestsOn) {
   const report::Json data = bound_data();
   ASSERT_EQ(data["rows"].size(), 3U);
-  // C10 is above C6, and C5 as far below the chord from C1 to C9, of which half is each one's share.
+  // C10 is above C6, and C5 as far below the chord from C1 to C9, of which half is each one's
+  // share.
   EXPECT_NEAR(data["rows"][0]["largest"].get<double>(), std::log(2 / 1.9) / 2, 1e-12);
   const double below = 0.9 * std::log(9.0) + 0.1 * std::log(7.3) - std::log(8.0);
   EXPECT_NEAR(data["rows"][1]["largest"].get<double>(), below / 2, 1e-12);

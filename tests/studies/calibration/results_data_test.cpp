@@ -94,8 +94,7 @@ TEST(ResultsData, FillTablesAndChartsThatHoldTogether) {
   EXPECT_EQ(ids_of(page),
             (std::set<std::string>{"interpretations", "answers", "convergence", "frontier",
                                    "predictions", "constants", "origin"}));
-  EXPECT_EQ(charts, (std::set<std::string>{"error-against-parameterisation", "sensitivity",
-                                           "profile-pull", "profile-counting-limit"}));
+  EXPECT_EQ(charts, (std::set<std::string>{"error-against-parameterisation", "sensitivity"}));
 }
 
 TEST(ResultsData, ShowTheNumbersOfTheResults) {
@@ -121,16 +120,6 @@ TEST(ResultsData, SayWhichConstantIsHeldNextAndAtWhat) {
   const auto rows = rows_of(drawing_of(some_results()).page, "frontier");
   EXPECT_EQ(rows.at(0)[1].text, "none");
   EXPECT_EQ(rows.at(1)[1].text, "phase = 0 rad");
-}
-
-TEST(ResultsData, ShowTheRanksByEverySearch) {
-  const auto rows = rows_of(drawing_of(some_results()).page, "rankings");
-  ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0][1].text, "1");
-  EXPECT_EQ(rows[0][2].text, "0.75");
-  EXPECT_EQ(rows[1][1].text, "20.0");
-  EXPECT_EQ(rows[1][2].text, "22.5");
-  EXPECT_EQ(rows[2][2].text, "–");
 }
 
 TEST(ResultsData, ShowWhereSearchesEndAlike) {

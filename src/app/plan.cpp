@@ -156,10 +156,6 @@ int slurm_script(const PlanOptions& options) {
   return 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// The plan of this name or file. It may include others, if `included` says how to read those.
 Plan read_named_plan(const std::string& name, const PlanByName& included) {
   const std::vector<std::pair<std::string, const char*>> known_plans = {

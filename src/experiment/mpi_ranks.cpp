@@ -89,10 +89,6 @@ int exit_code_of(int status) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-}  // namespace
-
-namespace {
-
 using Clock = std::chrono::steady_clock;
 using Place = std::uint64_t;  // of a run in the plan
 

@@ -19,24 +19,6 @@ namespace {
 
 using namespace carrier_track;
 
-/// A case by its counts, stored by a scan at evenly spaced speeds.
-struct ScannedCase {
-  CountAt count;
-  SpeedScan scan;
-};
-
-template <class Scanned>
-std::vector<CaseAppraisal> judged_cases(const Scanned& scanned) {
-  const std::vector<Case> cases = all_cases();
-  std::vector<CaseAppraisal> judged(cases.size());
-  tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
-    auto [count, scan] = scanned(cases[i]);
-    Score result = score(count, cases[i].claim, scan, 1);
-    judged[i] = {cases[i], std::move(scan), std::move(result)};
-  });
-  return judged;
-}
-
 double square(double x) {
   return x * x;
 }
@@ -65,25 +47,26 @@ double selection_criterion(double sum_of_squares, int errors, int constants) {
   return errors * std::log(mean) + 2.0 * p + 2.0 * p * (p + 1) / (errors - p - 1);
 }
 
-std::vector<CaseAppraisal> judged(const CountsOfCase& counts, double step) {
-  return judged_cases([&](const Case& a_case) {
-    CountAt count = counts(a_case);
-    SpeedScan scan = scan_speeds(count, step, fastest_speed);
-    return ScannedCase{std::move(count), std::move(scan)};
+namespace {
+
+/// Evaluates all cases by evenly spaced speeds, in parallel.
+std::vector<CaseAppraisal> judged_cases(const Fit& fit, double step) {
+  const std::vector<Case> cases = all_cases();
+  std::vector<CaseAppraisal> judged(cases.size());
+  tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
+    SpeedScan scan = scan_of(cases[i], fit.interpretation, fit.constants, step);
+    Score result =
+        score(counts_of(cases[i], fit.interpretation, fit.constants), cases[i].claim, scan, 1);
+    judged[i] = {cases[i], std::move(scan), std::move(result)};
   });
+  return judged;
 }
+
+}  // namespace
 
 Appraisal appraise(const Fit& fit, double step) {
-  const auto scanned = [&](const Case& a_case) {
-    return ScannedCase{counts_of(a_case, fit.interpretation, fit.constants),
-                       scan_of(a_case, fit.interpretation, fit.constants, step)};
-  };
-  return summed_up(judged_cases(scanned), static_cast<int>(fit.free.size()));
-}
-
-Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants) {
   Appraisal result;
-  result.cases = std::move(cases);
+  result.cases = judged_cases(fit, step);
   double squares = 0;
   double count_squares = 0;
   int thresholds = 0;
@@ -116,7 +99,8 @@ Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants) {
     for (const Example& e : s.examples) result.right_examples += e.right ? 1 : 0;
   }
   result.threshold_error = std::sqrt(squares / thresholds);
-  result.criterion = selection_criterion(squares + count_squares, 2 * thresholds, constants);
+  result.criterion = selection_criterion(squares + count_squares, 2 * thresholds,
+                                         static_cast<int>(fit.free.size()));
   return result;
 }
 

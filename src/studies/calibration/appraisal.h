@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,12 +29,6 @@ struct CaseAppraisal {
   carrier_track::Score score;
 };
 
-/// The counts of a case at any speed.
-using CountsOfCase = std::function<carrier_track::CountAt(const carrier_track::Case&)>;
-
-/// Evaluates C1..C12 with any counts at speeds `step` [rad/s] apart up to 18 rad/s, in parallel.
-std::vector<CaseAppraisal> judged(const CountsOfCase& counts, double step);
-
 /// The evaluation of a fit over all cases, in the terms of the paper.
 struct Appraisal {
   std::vector<CaseAppraisal> cases;  ///< C1..C12
@@ -61,10 +54,6 @@ RICOCHET_WRITTEN_AS_JSON(Appraisal, threshold_error, worst_threshold, within, ex
 /// paper), n ln(mean square) + 2 p + 2 p (p + 1) / (n - p - 1), p = k + 1. Lower is better; from k
 /// = 18 on it is infinite: such a fit is overfitted.
 Appraisal appraise(const Fit& fit, double step);
-
-/// The same from evaluated cases C1..C12, whatever produced the counts, with this number of fitted
-/// parameters.
-Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants);
 
 /// The criterion alone. A mean square below 1e-6 counts as 1e-6: no count or threshold of the paper
 /// has more digits.

@@ -5,7 +5,7 @@ find_path(RICOCHET_JET_FOLDER ceres/jet.h REQUIRED)  # dual numbers: a header of
 # With both NLopt packages installed a plain search finds the C build, which lacks StoGO and AGS.
 find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)
-find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math
+find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math, String
 find_package(TBB REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -30,6 +31,7 @@ std::string completion(const std::string& shell, const report::Json& commands);
 
 namespace {
 
+using boost::algorithm::replace_all_copy;
 using report::Json;
 
 /// Includes the commands of the other programs, if these can be called.
@@ -128,16 +130,9 @@ std::string manual(const Json& commands) {
 
 namespace {
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
 /// In single quotes, as bash and zsh read them.
 std::string shell_quoted(const std::string& text) {
-  return "'" + replaced(text, "'", "'\\''") + "'";
+  return "'" + replace_all_copy(text, "'", "'\\''") + "'";
 }
 
 std::string words_of(const Json& list) {
@@ -254,7 +249,7 @@ std::string zsh(const Json& commands) {
     names += "    " + shell_quoted(name + ":" + text_of(command, "summary")) + "\n";
     std::string arguments;
     for (const Json& option : command.at("options")) {
-      const std::string help = replaced(replaced(text_of(option, "help"), "[", "\\["), "]", "\\]");
+      const std::string help = replace_all_copy(replace_all_copy(text_of(option, "help"), "[", "\\["), "]", "\\]");
       const bool takes_value = option.at("takes_value").get<bool>();
       if (is_positional(option))
         arguments += " \\\n        " + shell_quoted(":" + zsh_value(option));
@@ -292,7 +287,7 @@ _ricochet "$@"
 }
 
 std::string fish_quoted(const std::string& text) {
-  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+  return "'" + replace_all_copy(replace_all_copy(text, "\\", "\\\\"), "'", "\\'") + "'";
 }
 
 /// Possible values of an option, in the syntax of fish.

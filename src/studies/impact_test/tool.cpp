@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -153,6 +154,7 @@ Tool own_tool(const std::string& text) {
 namespace {
 
 namespace fs = std::filesystem;
+using boost::algorithm::replace_all;
 
 constexpr std::chrono::seconds patience{300};  // to compile
 
@@ -181,11 +183,7 @@ struct Places {
   std::string filled(std::string text) const {
     for (const auto& [name, value] : {std::pair{"$HERE", &here}, std::pair{"$SOURCE", &source},
                                       std::pair{"$OUT", &out}, std::pair{"$PYTHON", &python}}) {
-      const std::string key = name;
-      for (auto at = text.find(key); at != std::string::npos;
-           at = text.find(key, at + value->size())) {
-        text.replace(at, key.size(), *value);
-      }
+      replace_all(text, name, *value);
     }
     return text;
   }
@@ -244,9 +242,7 @@ std::string compiled(const Tool& tool, const Places& places) {
   Places aside = places;
   aside.out = draft;
   std::string text = aside.filled(tool.compile);
-  if (const auto at = text.find("$CXX"); at != std::string::npos) {
-    text.replace(at, 4, compiler != nullptr ? compiler : "c++");
-  }
+  replace_all(text, "$CXX", compiler != nullptr ? compiler : "c++");
   Progress::announce("compiling the driver of " + tool.name);
   const Ran result = ran({"sh", "-c", text});
   if (!result.well) {

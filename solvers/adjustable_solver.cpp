@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -24,46 +23,13 @@ bool SolverOption::allows(const OptionValue& value) const {
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& known) { return known == "*" || known == *word; });
   }
-  const double number = std::get<double>(value);
-  return words.empty() && number >= least && number <= most &&
-         (!whole || number == std::floor(number)) && !(without_least && number == least) &&
-         !(without_most && number == most);
+  return words.empty() && contains(range, std::get<double>(value));
 }
 
-std::string SolverOption::range() const {
-  if (!words.empty()) {
-    const bool any = std::find(words.begin(), words.end(), "*") != words.end();
-    return any ? "a text" : fmt::format("\"{}\"", fmt::join(words, "\", \""));
-  }
-  std::string range = fmt::format("a {}number from {} to {}", whole ? "whole " : "", least, most);
-  if (without_least) range += fmt::format(", but not {}", least);
-  if (without_most) range += fmt::format(", but not {}", most);
-  return range;
-}
-
-SolverOption real_option(const std::string& name, double least, double most, double usual) {
-  return {.name = name, .usual = fmt::format("{}", usual), .least = least, .most = most};
-}
-
-SolverOption whole_option(const std::string& name, int least, int usual) {
-  return whole_option(name, least, fmt::format("{}", usual));
-}
-
-SolverOption whole_option(const std::string& name, int least, const std::string& usual) {
-  return {.name = name,
-          .usual = usual,
-          .least = static_cast<double>(least),
-          .most = 1e6,
-          .whole = true};
-}
-
-double number_of(const GivenOptions& given, const std::string& name, double usual) {
-  const auto found = given.find(name);
-  return found == given.end() ? usual : std::get<double>(found->second);
-}
-
-int whole_of(const GivenOptions& given, const std::string& name, int usual) {
-  return static_cast<int>(number_of(given, name, usual));
+std::string SolverOption::allowed() const {
+  if (words.empty()) return in_words(range);
+  const bool any = std::find(words.begin(), words.end(), "*") != words.end();
+  return any ? "a text" : fmt::format("\"{}\"", fmt::join(words, "\", \""));
 }
 
 namespace {
@@ -83,7 +49,7 @@ void check(const AdjustableSolver& solver, const std::string& name, const Option
   for (const SolverOption& option : solver.options) {
     if (option.name == name) {
       if (option.allows(value)) return;
-      throw InputError(fmt::format("{} = {}: must be {}", name, text_of(value), option.range()));
+      throw InputError(fmt::format("{} = {}: must be {}", name, text_of(value), option.allowed()));
     }
     names.push_back(option.name);
   }

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "ricochet/solver.h"
+#include "src/core/fields.h"
 #include "src/core/names.h"
 
 namespace ricochet {
@@ -13,22 +17,12 @@ namespace ricochet {
 struct SolverOption {
   std::string name;
   std::string usual;  ///< the default, as text for people
-  double least = 0, most = 0;
-  bool whole = false;
-  bool without_least = false, without_most = false;  ///< the bound itself is excluded
-  std::vector<std::string> words = {};               ///< allowed words; "*": any
+  Range range = {};
+  std::vector<std::string> words = {};  ///< allowed words; "*": any
 
   bool allows(const OptionValue& value) const;
-  std::string range() const;  ///< e.g. "a whole number from 1 to 1000000"
+  std::string allowed() const;  ///< e.g. "a whole number from 1 to 1000000"
 };
-
-SolverOption real_option(const std::string& name, double least, double most, double usual);
-
-/// At most a million.
-SolverOption whole_option(const std::string& name, int least, int usual);
-
-/// An option whose default depends on the problem; `usual` describes it in words.
-SolverOption whole_option(const std::string& name, int least, const std::string& usual);
 
 /// A solver of the suite that can be made with other options than its defaults.
 struct AdjustableSolver {
@@ -40,9 +34,65 @@ struct AdjustableSolver {
   std::function<Solver(const GivenOptions&)> with;
 };
 
-/// The given value, or `usual` if there is none.
-double number_of(const GivenOptions& given, const std::string& name, double usual);
-int whole_of(const GivenOptions& given, const std::string& name, int usual);
+/// The default of an option as text. One that hangs on the problem is a missing optional, and its
+/// field's remark says what it is.
+inline std::string usual_of(const Field& /*field*/, double usual) {
+  return text_of(OptionValue(usual));
+}
+template <class Number>
+std::string usual_of(const Field& field, const std::optional<Number>& usual) {
+  return usual ? text_of(OptionValue(static_cast<double>(*usual))) : std::string(field.remark);
+}
+
+/// The options that a struct lists as its fields; their defaults are those of `own`.
+template <HasFields Options>
+std::vector<SolverOption> options_in(const Options& own) {
+  std::vector<SolverOption> options;
+  visit_fields(
+      [&](const Field& field, const auto& usual) {
+        options.push_back({std::string(field.key), usual_of(field, usual), field.range});
+      },
+      own);
+  return options;
+}
+
+template <class Number>
+void give(double value, Number& target) {
+  target = static_cast<Number>(value);
+}
+template <class Number>
+void give(double value, std::optional<Number>& target) {
+  target = static_cast<Number>(value);
+}
+
+/// The struct with the options given in place of its own.
+template <HasFields Options>
+Options with_given(Options options, const GivenOptions& given) {
+  visit_fields(
+      [&](const Field& field, auto& target) {
+        const auto found = given.find(std::string(field.key));
+        if (found != given.end()) give(std::get<double>(found->second), target);
+      },
+      options);
+  return options;
+}
+
+/// The solver that `make` makes of a struct of options.
+template <HasFields Options, class Make>
+AdjustableSolver adjustable(const std::string& name, const Options& own, const Make& make) {
+  return {name, options_in(own),
+          [own, make](const GivenOptions& given) { return make(with_given(own, given)); }};
+}
+
+constexpr Field real_option(std::string_view name, double least, double most) {
+  return {name, "1", "", {.least = least, .most = most}};
+}
+
+/// `usual` describes a default that hangs on the problem.
+constexpr Field whole_option(std::string_view name, double least, double most = 1e6,
+                             std::string_view usual = "") {
+  return {name, "1", usual, whole_number(least, most)};
+}
 
 /// Which settings a solver runs with. Both are reported, under different names: a solver tuned on
 /// the problems of this suite has an unfair advantage over one that is not.

@@ -93,20 +93,22 @@ Options own_options() {
   return options;
 }
 
-Options options_with(const GivenOptions& given) {
-  Options options = own_options();
-  const auto take = [&](const char* name, double& target) {
-    target = number_of(given, name, target);
-  };
-  take("function_tolerance", options.function_tolerance);
-  take("gradient_tolerance", options.gradient_tolerance);
-  take("parameter_tolerance", options.parameter_tolerance);
-  take("line_search_sufficient_function_decrease",
-       options.line_search_sufficient_function_decrease);
-  take("line_search_sufficient_curvature_decrease",
-       options.line_search_sufficient_curvature_decrease);
-  options.max_lbfgs_rank = whole_of(given, "max_lbfgs_rank", options.max_lbfgs_rank);
-  return options;
+/// What a plan may change.
+struct LineSearchOptions {
+  Options ceres = own_options();
+};
+
+template <class Visit, IsOf<LineSearchOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(whole_option("max_lbfgs_rank", 1, 1000), o.ceres.max_lbfgs_rank...);
+  visit(real_option("function_tolerance", 0, 1), o.ceres.function_tolerance...);
+  visit(real_option("gradient_tolerance", 0, 1e9), o.ceres.gradient_tolerance...);
+  visit(real_option("parameter_tolerance", 0, 1), o.ceres.parameter_tolerance...);
+  Field decrease = real_option("line_search_sufficient_function_decrease", 1e-12, 0.5);
+  Field curvature = real_option("line_search_sufficient_curvature_decrease", 0.5, 1);
+  decrease.range.without_most = curvature.range.without_most = true;
+  visit(decrease, o.ceres.line_search_sufficient_function_decrease...);
+  visit(curvature, o.ceres.line_search_sufficient_curvature_decrease...);
 }
 
 SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
@@ -119,16 +121,15 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Opti
           waves->at(y)};
 }
 
-Solver lbfgs(const GivenOptions& given) {
+Solver lbfgs(const LineSearchOptions& options) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-lbfgs";
   solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
   solver.capabilities = ceres_lbfgs_capabilities;
   solver.at_limit = AtLimit::own_point;
-  solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
-                                                 Random&) {
-    return minimise(evaluator, start, options);
+  solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise(evaluator, start, options.ceres);
   };
   return solver;
 }
@@ -140,20 +141,7 @@ Solver ceres_lbfgs() {
 }
 
 AdjustableSolver adjustable_ceres_lbfgs() {
-  const Options own = own_options();
-  SolverOption decrease = real_option("line_search_sufficient_function_decrease", 1e-12, 0.5,
-                                      own.line_search_sufficient_function_decrease);
-  SolverOption curvature = real_option("line_search_sufficient_curvature_decrease", 0.5, 1,
-                                       own.line_search_sufficient_curvature_decrease);
-  decrease.without_most = true;
-  curvature.without_most = true;
-  SolverOption rank = whole_option("max_lbfgs_rank", 1, own.max_lbfgs_rank);
-  rank.most = 1000;
-  return {"ceres-lbfgs",
-          {rank, real_option("function_tolerance", 0, 1, own.function_tolerance),
-           real_option("gradient_tolerance", 0, 1e9, own.gradient_tolerance),
-           real_option("parameter_tolerance", 0, 1, own.parameter_tolerance), decrease, curvature},
-          lbfgs};
+  return adjustable("ceres-lbfgs", LineSearchOptions(), lbfgs);
 }
 
 namespace {
@@ -205,15 +193,17 @@ LeastSquaresOptions own_least_squares_options() {
   return options;
 }
 
-LeastSquaresOptions least_squares_options_with(const GivenOptions& given) {
-  LeastSquaresOptions options = own_least_squares_options();
-  const auto take = [&](const char* name, double& target) {
-    target = number_of(given, name, target);
-  };
-  take("initial_trust_region_radius", options.initial_trust_region_radius);
-  take("function_tolerance", options.function_tolerance);
-  take("parameter_tolerance", options.parameter_tolerance);
-  return options;
+/// What a plan may change.
+struct TrustRegionOptions {
+  LeastSquaresOptions ceres = own_least_squares_options();
+};
+
+template <class Visit, IsOf<TrustRegionOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(real_option("initial_trust_region_radius", 1e-12, 1e16),
+        o.ceres.initial_trust_region_radius...);
+  visit(real_option("function_tolerance", 0, 1), o.ceres.function_tolerance...);
+  visit(real_option("parameter_tolerance", 0, 1), o.ceres.parameter_tolerance...);
 }
 
 SolverTermination minimise_squares(Evaluator& evaluator, const Vector& start,
@@ -237,16 +227,15 @@ SolverTermination minimise_squares(Evaluator& evaluator, const Vector& start,
           box.from_unit(u)};
 }
 
-Solver least_squares(const GivenOptions& given) {
+Solver least_squares(const TrustRegionOptions& options) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-trust-region";
   solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
   solver.capabilities = ceres_least_squares_capabilities;
   solver.at_limit = AtLimit::own_point;
-  solver.solve = [options = least_squares_options_with(given)](Evaluator& evaluator,
-                                                               const Vector& start, Random&) {
-    return minimise_squares(evaluator, start, options);
+  solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise_squares(evaluator, start, options.ceres);
   };
   return solver;
 }
@@ -258,12 +247,7 @@ Solver ceres_least_squares() {
 }
 
 AdjustableSolver adjustable_ceres_least_squares() {
-  const LeastSquaresOptions own = own_least_squares_options();
-  return {"ceres-trust-region",
-          {real_option("initial_trust_region_radius", 1e-12, 1e16, own.initial_trust_region_radius),
-           real_option("function_tolerance", 0, 1, own.function_tolerance),
-           real_option("parameter_tolerance", 0, 1, own.parameter_tolerance)},
-          least_squares};
+  return adjustable("ceres-trust-region", TrustRegionOptions(), least_squares);
 }
 
 }  // namespace ricochet

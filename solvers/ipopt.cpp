@@ -378,24 +378,25 @@ SolverOption option_of(const Ipopt::RegisteredOption& known) {
     option.usual = known.DefaultString();
     return option;
   }
-  option.whole = known.Type() == Ipopt::OT_Integer;
+  Range& range = option.range;
+  range.whole = known.Type() == Ipopt::OT_Integer;
   const auto end = [&](bool there, auto bound, double otherwise) {
     return there ? static_cast<double>(bound()) : otherwise;
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double largest = option.whole ? std::numeric_limits<Index>::max() : infinity;
-  option.least = end(
+  const double largest = range.whole ? std::numeric_limits<Index>::max() : infinity;
+  range.least = end(
       known.HasLower(),
-      [&]() -> double { return option.whole ? known.LowerInteger() : known.LowerNumber(); },
+      [&]() -> double { return range.whole ? known.LowerInteger() : known.LowerNumber(); },
       -largest);
-  option.most = end(
+  range.most = end(
       known.HasUpper(),
-      [&]() -> double { return option.whole ? known.UpperInteger() : known.UpperNumber(); },
+      [&]() -> double { return range.whole ? known.UpperInteger() : known.UpperNumber(); },
       largest);
-  option.without_least = !option.whole && known.HasLower() && known.LowerStrict();
-  option.without_most = !option.whole && known.HasUpper() && known.UpperStrict();
-  option.usual = option.whole ? std::to_string(known.DefaultInteger())
-                              : text_of(OptionValue(known.DefaultNumber()));
+  range.without_least = !range.whole && known.HasLower() && known.LowerStrict();
+  range.without_most = !range.whole && known.HasUpper() && known.UpperStrict();
+  option.usual = range.whole ? std::to_string(known.DefaultInteger())
+                             : text_of(OptionValue(known.DefaultNumber()));
   return option;
 }
 

@@ -80,6 +80,13 @@ struct Options {
   double further = 3;         ///< how far to look ahead after a success, in lengths of its step
 };
 
+template <class Visit, IsOf<Options>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(real_option("finest_mesh", 1e-12, 0.25), o.finest_mesh...);
+  visit(whole_option("mesh_index", 1, 12), o.mesh_index...);
+  visit(real_option("further", 0, 100), o.further...);
+}
+
 /// The search from one start.
 class Search {
  public:
@@ -191,17 +198,7 @@ Solver mads() {
 }
 
 AdjustableSolver adjustable_mads() {
-  const Options own;
-  SolverOption index = whole_option("mesh_index", 1, own.mesh_index);
-  index.most = 12;
-  return {"mads",
-          {real_option("finest_mesh", 1e-12, 0.25, own.finest_mesh), index,
-           real_option("further", 0, 100, own.further)},
-          [own](const GivenOptions& given) {
-            return made({number_of(given, "finest_mesh", own.finest_mesh),
-                         whole_of(given, "mesh_index", own.mesh_index),
-                         number_of(given, "further", own.further)});
-          }};
+  return adjustable("mads", Options(), made);
 }
 
 namespace {

@@ -211,34 +211,30 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
   return solver;
 }
 
+}  // namespace
+
 /// The options that affect this algorithm.
-std::vector<SolverOption> options_of(const NloptAlgorithm& algorithm) {
+template <class Visit, IsOf<NloptAlgorithm>... A>
+void visit_fields(const Visit& visit, A&... a) {
+  const NloptAlgorithm& algorithm = (a, ...);
   const auto is_one_of = [&](std::initializer_list<nlopt_algorithm> ids) {
     return std::find(ids.begin(), ids.end(), algorithm.id) != ids.end();
   };
-  std::vector<SolverOption> options;
   const bool starts_anew = algorithm.id == NLOPT_G_MLSL_LDS;
   if (starts_anew || is_one_of({NLOPT_GN_CRS2_LM, NLOPT_GN_ISRES, NLOPT_GN_ESCH})) {
-    options.push_back(whole_option("population", 1, "NLopt's own"));
+    visit(whole_option("population", 1, 1e6, "NLopt's own"), a.population...);
   }
   if (is_one_of({NLOPT_LN_COBYLA, NLOPT_LN_BOBYQA, NLOPT_LN_NELDERMEAD, NLOPT_LN_SBPLX})) {
-    options.push_back(real_option("initial_step", 1e-6, 1, algorithm.initial_step));
+    visit(real_option("initial_step", 1e-6, 1), a.initial_step...);
   }
   if (is_one_of({NLOPT_LD_LBFGS, NLOPT_LD_VAR2, NLOPT_LD_TNEWTON_PRECOND_RESTART})) {
-    SolverOption vectors = whole_option("vectors", 1, algorithm.vectors);
-    vectors.most = 1000;
-    options.push_back(vectors);
+    visit(whole_option("vectors", 1, 1000), a.vectors...);
   }
   const bool looks_everywhere =
       algorithm.is_original_direct() ||
       is_one_of({NLOPT_GN_CRS2_LM, NLOPT_GN_ISRES, NLOPT_GN_ESCH, NLOPT_GN_AGS});
-  if (!looks_everywhere) {
-    options.push_back(real_option("tolerance", 1e-15, 0.1, algorithm.tolerance));
-  }
-  return options;
+  if (!looks_everywhere) visit(real_option("tolerance", 1e-15, 0.1), a.tolerance...);
 }
-
-}  // namespace
 
 std::vector<Solver> nlopt_solvers() {
   std::vector<Solver> solvers;
@@ -251,17 +247,9 @@ std::vector<Solver> nlopt_solvers() {
 std::vector<AdjustableSolver> adjustable_nlopt() {
   std::vector<AdjustableSolver> solvers;
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
-    const std::vector<SolverOption> options = options_of(algorithm);
-    if (options.empty()) continue;
-    solvers.push_back({fmt::format("nlopt-{}", algorithm.name), options,
-                       [own = algorithm](const GivenOptions& given) {
-                         NloptAlgorithm changed = own;
-                         changed.population = whole_of(given, "population", own.population);
-                         changed.initial_step = number_of(given, "initial_step", own.initial_step);
-                         changed.vectors = whole_of(given, "vectors", own.vectors);
-                         changed.tolerance = number_of(given, "tolerance", own.tolerance);
-                         return solver_of(changed);
-                       }});
+    AdjustableSolver solver =
+        adjustable(fmt::format("nlopt-{}", algorithm.name), algorithm, solver_of);
+    if (!solver.options.empty()) solvers.push_back(std::move(solver));
   }
   return solvers;
 }
@@ -312,7 +300,7 @@ NloptSearch::Outcome NloptSearch::optimise(const Vector& start, std::int64_t mos
   nlopt_set_min_objective(nlopt, objective, this);
   constrain();
   nlopt_set_initial_step1(nlopt, algorithm_.initial_step);
-  nlopt_set_population(nlopt, static_cast<unsigned>(algorithm_.population));
+  nlopt_set_population(nlopt, static_cast<unsigned>(algorithm_.population.value_or(0)));
   if (algorithm_.local) nlopt_set_local_optimizer(nlopt, made(*algorithm_.local).get());
   nlopt_set_maxeval(nlopt, static_cast<int>(most_evaluations));
   nlopt_srand(seed_);  // the state belongs to this thread and is left over from its last run

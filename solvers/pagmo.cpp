@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <pagmo/algorithms/cmaes.hpp>
 #include <pagmo/algorithms/compass_search.hpp>
 #include <pagmo/algorithms/cstrs_self_adaptive.hpp>
@@ -80,11 +81,10 @@ using Minimise =
 
 Solver pagmo_solver(const std::string& name, const Capabilities& capabilities, Minimise minimise);
 
-/// The given population size, or else `usual`.
-Eigen::Index size_of(const GivenOptions& given, Eigen::Index usual);
-
 /// The option "population"; `usual` describes its default in words.
-SolverOption population_option(int least, const std::string& usual);
+constexpr Field population_option(int least, const char* usual) {
+  return whole_option("population", least, 1e4, usual);
+}
 
 namespace {
 
@@ -145,16 +145,6 @@ Eigen::Index evolution_size(Eigen::Index n) {
   return std::max<Eigen::Index>(5, 4 + static_cast<Eigen::Index>(3 * std::log(n)));
 }
 
-Eigen::Index size_of(const GivenOptions& given, Eigen::Index usual) {
-  return whole_of(given, "population", static_cast<int>(usual));
-}
-
-SolverOption population_option(int least, const std::string& usual) {
-  SolverOption option = whole_option("population", least, usual);
-  option.most = 1e4;
-  return option;
-}
-
 Solver pagmo_solver(const std::string& name, const Capabilities& capabilities, Minimise minimise) {
   Solver solver;
   solver.name = "pagmo-" + name;
@@ -176,7 +166,34 @@ namespace {
 
 constexpr double own_step = 0.5;     // of the box: pagmo's own default
 constexpr double tuned_step = 0.25;  // of the box
-constexpr int usual_growth = 2;      // of the population at every restart
+
+constexpr Field step_option = [] {
+  Field field = real_option("initial_step", 0, 1);
+  field.range.without_least = true;
+  return field;
+}();
+
+struct CmaesOptions {
+  double initial_step = own_step;
+  std::optional<int> population = {};
+};
+
+template <class Visit, IsOf<CmaesOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(step_option, o.initial_step...);
+  visit(population_option(5, evolution_size_in_words), o.population...);
+}
+
+struct RestartedCmaesOptions {
+  CmaesOptions cmaes = {.initial_step = tuned_step};
+  int growth = 2;  ///< of the population at every restart
+};
+
+template <class Visit, IsOf<RestartedCmaesOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit_fields(visit, o.cmaes...);
+  visit(whole_option("growth", 1, 10), o.growth...);
+}
 
 /// One run, until it converges.
 void run_cmaes(UnitBox& box, const Vector& start, Eigen::Index size, double initial_step,
@@ -188,51 +205,38 @@ void run_cmaes(UnitBox& box, const Vector& start, Eigen::Index size, double init
       .evolve(population);
 }
 
-SolverTermination minimise(const GivenOptions& given, double usual_step, Evaluator& evaluator,
-                           const Vector& start, Random& random) {
-  UnitBox box(evaluator);
-  run_cmaes(box, start, size_of(given, evolution_size(start.size())),
-            number_of(given, "initial_step", usual_step), random);
-  return {converged};
+Eigen::Index size_of(const CmaesOptions& options, const Vector& start) {
+  return options.population ? *options.population : evolution_size(start.size());
 }
 
-SolverTermination minimise_with_restarts(const GivenOptions& given, Evaluator& evaluator,
-                                         const Vector& start, Random& random) {
-  UnitBox box(evaluator);
-  Vector from = start;
-  const double step = number_of(given, "initial_step", tuned_step);
-  const int growth = whole_of(given, "growth", usual_growth);
-  for (Eigen::Index size = size_of(given, evolution_size(start.size()));; size *= growth) {
-    run_cmaes(box, from, size, step, random);
-    from = uniform_point(evaluator.lower(), evaluator.upper(), random);
-  }
+Solver cmaes(const std::string& name, const CmaesOptions& options) {
+  return pagmo_solver(
+      name, pagmo_bounds_only,
+      [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
+        UnitBox box(evaluator);
+        run_cmaes(box, start, size_of(options, start), options.initial_step, random);
+        return {converged};
+      });
 }
 
-Solver cmaes(const std::string& name, double usual_step, const GivenOptions& given) {
-  return pagmo_solver(name, pagmo_bounds_only,
-                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise(given, usual_step, evaluator, start, random);
-                      });
-}
-
-Solver cmaes_ipop(const GivenOptions& given) {
-  return pagmo_solver("cmaes-ipop", pagmo_bounds_only,
-                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise_with_restarts(given, evaluator, start, random);
-                      });
-}
-
-SolverOption step_option(double usual) {
-  SolverOption option = real_option("initial_step", 0, 1, usual);
-  option.without_least = true;
-  return option;
+Solver cmaes_ipop(const RestartedCmaesOptions& options) {
+  return pagmo_solver(
+      "cmaes-ipop", pagmo_bounds_only,
+      [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
+        UnitBox box(evaluator);
+        Vector from = start;
+        for (Eigen::Index size = size_of(options.cmaes, start);; size *= options.growth) {
+          run_cmaes(box, from, size, options.cmaes.initial_step, random);
+          from = uniform_point(evaluator.lower(), evaluator.upper(), random);
+        }
+      });
 }
 
 }  // namespace
 
 Solver pagmo_cmaes(Settings settings) {
-  return settings == Settings::tuned ? cmaes("cmaes-tuned", tuned_step, {})
-                                     : cmaes("cmaes", own_step, {});
+  return settings == Settings::tuned ? cmaes("cmaes-tuned", {.initial_step = tuned_step})
+                                     : cmaes("cmaes", {});
 }
 
 Solver pagmo_cmaes_ipop() {
@@ -240,37 +244,38 @@ Solver pagmo_cmaes_ipop() {
 }
 
 std::vector<AdjustableSolver> adjustable_pagmo_cmaes() {
-  const SolverOption population = population_option(5, evolution_size_in_words);
-  SolverOption growth = whole_option("growth", 1, usual_growth);
-  growth.most = 10;
-  return {{"pagmo-cmaes",
-           {step_option(own_step), population},
-           [](const GivenOptions& given) { return cmaes("cmaes", own_step, given); }},
-          {"pagmo-cmaes-tuned",
-           {step_option(tuned_step), population},
-           [](const GivenOptions& given) { return cmaes("cmaes-tuned", tuned_step, given); }},
-          {"pagmo-cmaes-ipop", {step_option(tuned_step), population, growth}, cmaes_ipop}};
+  const auto named = [](const char* name) {
+    return [=](const CmaesOptions& options) { return cmaes(name, options); };
+  };
+  const CmaesOptions tuned = {.initial_step = tuned_step};
+  return {adjustable("pagmo-cmaes", CmaesOptions(), named("cmaes")),
+          adjustable("pagmo-cmaes-tuned", tuned, named("cmaes-tuned")),
+          adjustable("pagmo-cmaes-ipop", RestartedCmaesOptions(), cmaes_ipop)};
 }
 
 namespace {
 
-constexpr double first_step = 0.25;  // of the box
-constexpr double shrinkage = 0.5;
+struct CompassOptions {
+  double initial_step = 0.25;  ///< of the box
+  double shrinkage = 0.5;
+};
 
-SolverTermination minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
-                           Random& random) {
-  UnitBox box(evaluator);
-  pagmo::compass_search(endless, number_of(given, "initial_step", first_step), pagmo_step_tolerance,
-                        number_of(given, "shrinkage", shrinkage))
-      .evolve(population_of(box, start, 1, random));
-  return {converged};
+template <class Visit, IsOf<CompassOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(real_option("initial_step", 1e-6, 1), o.initial_step...);
+  visit(real_option("shrinkage", 0.01, 0.99), o.shrinkage...);
 }
 
-Solver compass_search(const GivenOptions& given) {
-  Solver solver = pagmo_solver("compass-search", pagmo_all_constraints,
-                               [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                                 return minimise(given, evaluator, start, random);
-                               });
+Solver compass_search(const CompassOptions& options) {
+  Solver solver = pagmo_solver(
+      "compass-search", pagmo_all_constraints,
+      [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
+        UnitBox box(evaluator);
+        pagmo::compass_search(endless, options.initial_step, pagmo_step_tolerance,
+                              options.shrinkage)
+            .evolve(population_of(box, start, 1, random));
+        return {converged};
+      });
   solver.stochastic = false;
   return solver;
 }
@@ -282,10 +287,7 @@ Solver pagmo_compass_search() {
 }
 
 AdjustableSolver adjustable_pagmo_compass_search() {
-  return {"pagmo-compass-search",
-          {real_option("initial_step", 1e-6, 1, first_step),
-           real_option("shrinkage", 0.01, 0.99, shrinkage)},
-          compass_search};
+  return adjustable("pagmo-compass-search", CompassOptions(), compass_search);
 }
 
 namespace {
@@ -299,16 +301,30 @@ double spread(const pagmo::population& population) {
   return sum;
 }
 
-constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults, as is the rest
+struct ConstrainedEvolutionOptions {
+  double weight = 0.8, crossover = 0.9;  ///< pagmo's own defaults, as is the rest
+  std::optional<int> population = {};
+};
 
-SolverTermination minimise_constrained(const GivenOptions& given, Evaluator& evaluator,
-                                       const Vector& start, Random& random) {
+template <class Visit, IsOf<ConstrainedEvolutionOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(real_option("weight", 0, 1), o.weight...);
+  visit(real_option("crossover", 0, 1), o.crossover...);
+  visit(population_option(5, usual_size_in_words), o.population...);
+}
+
+/// The population of a search from this start: of the size given, or else the usual one.
+pagmo::population population_of(UnitBox& box, const Vector& start, const std::optional<int>& size,
+                                Random& random) {
+  return population_of(box, start, size ? Eigen::Index{*size} : usual_size(start.size()), random);
+}
+
+SolverTermination minimise_constrained(const ConstrainedEvolutionOptions& options,
+                                       Evaluator& evaluator, const Vector& start, Random& random) {
   UnitBox box(evaluator);
-  pagmo::population population =
-      population_of(box, start, size_of(given, usual_size(start.size())), random);
+  pagmo::population population = population_of(box, start, options.population, random);
   constexpr unsigned rand_1_exp = 2;
-  const pagmo::de generation(1, number_of(given, "weight", weight),
-                             number_of(given, "crossover", crossover), rand_1_exp, 0.0, 0.0,
+  const pagmo::de generation(1, options.weight, options.crossover, rand_1_exp, 0.0, 0.0,
                              seed_from(random));
   const pagmo::cstrs_self_adaptive algorithm(1, generation, seed_from(random));
   // pagmo remembers the points of a generation and evaluates none if they are all equal.
@@ -321,10 +337,10 @@ SolverTermination minimise_constrained(const GivenOptions& given, Evaluator& eva
   return {converged};
 }
 
-Solver constrained_de(const GivenOptions& given) {
+Solver constrained_de(const ConstrainedEvolutionOptions& options) {
   return pagmo_solver("constrained-de", pagmo_needs_constraints,
                       [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise_constrained(given, evaluator, start, random);
+                        return minimise_constrained(options, evaluator, start, random);
                       });
 }
 
@@ -335,89 +351,99 @@ Solver pagmo_constrained_de() {
 }
 
 AdjustableSolver adjustable_pagmo_constrained_de() {
-  return {"pagmo-constrained-de",
-          {real_option("weight", 0, 1, weight), real_option("crossover", 0, 1, crossover),
-           population_option(5, usual_size_in_words)},
-          constrained_de};
+  return adjustable("pagmo-constrained-de", ConstrainedEvolutionOptions(), constrained_de);
 }
 
 namespace {
 
-constexpr double de_weight = 0.8, de_crossover = 0.9;  // pagmo's own defaults
-constexpr unsigned rand_1_exp = 2;
-constexpr unsigned jde = 1;
+/// Options of pagmo's kinds of differential evolution, with its own defaults.
+struct EvolutionOptions {
+  double weight = 0.8, crossover = 0.9;
+  unsigned variant = 2;     ///< rand/1/exp
+  unsigned adaptation = 1;  ///< jDE
+  std::optional<int> population = {};
+};
 
-unsigned variant_of(const GivenOptions& given) {
-  return static_cast<unsigned>(whole_of(given, "variant", rand_1_exp));
-}
-
-unsigned adaptation_of(const GivenOptions& given) {
-  return static_cast<unsigned>(whole_of(given, "adaptation", jde));
-}
-
-pagmo::de plain(const GivenOptions& given, unsigned seed) {
-  return pagmo::de(endless, number_of(given, "weight", de_weight),
-                   number_of(given, "crossover", de_crossover), variant_of(given),
+pagmo::de plain(const EvolutionOptions& options, unsigned seed) {
+  return pagmo::de(endless, options.weight, options.crossover, options.variant,
                    pagmo_value_tolerance, pagmo_step_tolerance, seed);
 }
 
-pagmo::sade adapting(const GivenOptions& given, unsigned seed) {
-  return pagmo::sade(endless, variant_of(given), adaptation_of(given), pagmo_value_tolerance,
+pagmo::sade adapting(const EvolutionOptions& options, unsigned seed) {
+  return pagmo::sade(endless, options.variant, options.adaptation, pagmo_value_tolerance,
                      pagmo_step_tolerance, false, seed);
 }
 
-pagmo::de1220 choosing(const GivenOptions& given, unsigned seed) {
-  return pagmo::de1220(endless, pagmo::de1220_statics<void>::allowed_variants, adaptation_of(given),
+pagmo::de1220 choosing(const EvolutionOptions& options, unsigned seed) {
+  return pagmo::de1220(endless, pagmo::de1220_statics<void>::allowed_variants, options.adaptation,
                        pagmo_value_tolerance, pagmo_step_tolerance, false, seed);
 }
 
 template <auto algorithm>
-Solver made(const std::string& name, const GivenOptions& given) {
-  return pagmo_solver(
-      name, pagmo_bounds_only,
-      [given](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
-        UnitBox box(evaluator);
-        const pagmo::population population =
-            population_of(box, start, size_of(given, usual_size(start.size())), random);
-        algorithm(given, seed_from(random)).evolve(population);
-        return {converged};
-      });
+struct EvolutionBy {
+  EvolutionOptions options = {};
+};
+
+template <class Visit, IsOf<EvolutionBy<plain>>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(real_option("weight", 0, 1), o.options.weight...);
+  visit(real_option("crossover", 0, 1), o.options.crossover...);
+  visit(whole_option("variant", 1, 10), o.options.variant...);
+  visit(population_option(5, usual_size_in_words), o.options.population...);
 }
 
-/// An option with pagmo's numbers, from 1 on.
-SolverOption kind_option(const std::string& name, int most, unsigned usual) {
-  SolverOption option = whole_option(name, 1, static_cast<int>(usual));
-  option.most = most;
-  return option;
+constexpr Field adaptation_option = whole_option("adaptation", 1, 2);
+constexpr Field evolving_option = population_option(7, usual_size_in_words);
+
+template <class Visit, IsOf<EvolutionBy<adapting>>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(whole_option("variant", 1, 18), o.options.variant...);
+  visit(adaptation_option, o.options.adaptation...);
+  visit(evolving_option, o.options.population...);
+}
+
+template <class Visit, IsOf<EvolutionBy<choosing>>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(adaptation_option, o.options.adaptation...);
+  visit(evolving_option, o.options.population...);
+}
+
+template <auto algorithm>
+Solver made(const std::string& name, const EvolutionBy<algorithm>& by) {
+  return pagmo_solver(name, pagmo_bounds_only,
+                      [options = by.options](Evaluator& evaluator, const Vector& start,
+                                             Random& random) -> SolverTermination {
+                        UnitBox box(evaluator);
+                        const pagmo::population population =
+                            population_of(box, start, options.population, random);
+                        algorithm(options, seed_from(random)).evolve(population);
+                        return {converged};
+                      });
+}
+
+template <auto algorithm>
+AdjustableSolver adjustable_evolution(const std::string& name) {
+  return adjustable("pagmo-" + name, EvolutionBy<algorithm>(),
+                    [name](const EvolutionBy<algorithm>& by) { return made(name, by); });
 }
 
 }  // namespace
 
 Solver pagmo_de() {
-  return made<plain>("de", {});
+  return made("de", EvolutionBy<plain>());
 }
 
 Solver pagmo_sade() {
-  return made<adapting>("sade", {});
+  return made("sade", EvolutionBy<adapting>());
 }
 
 Solver pagmo_de1220() {
-  return made<choosing>("de1220", {});
+  return made("de1220", EvolutionBy<choosing>());
 }
 
 std::vector<AdjustableSolver> adjustable_pagmo_de() {
-  const SolverOption adaptation = kind_option("adaptation", 2, jde);
-  const SolverOption population = population_option(7, usual_size_in_words);
-  return {{"pagmo-de",
-           {real_option("weight", 0, 1, de_weight), real_option("crossover", 0, 1, de_crossover),
-            kind_option("variant", 10, rand_1_exp), population_option(5, usual_size_in_words)},
-           [](const GivenOptions& given) { return made<plain>("de", given); }},
-          {"pagmo-sade",
-           {kind_option("variant", 18, rand_1_exp), adaptation, population},
-           [](const GivenOptions& given) { return made<adapting>("sade", given); }},
-          {"pagmo-de1220", {adaptation, population}, [](const GivenOptions& given) {
-             return made<choosing>("de1220", given);
-           }}};
+  return {adjustable_evolution<plain>("de"), adjustable_evolution<adapting>("sade"),
+          adjustable_evolution<choosing>("de1220")};
 }
 
 namespace {
@@ -432,26 +458,35 @@ double highest(const pagmo::population& population) {
   return highest;
 }
 
-SolverTermination minimise_by_gaco(const GivenOptions& given, Evaluator& evaluator,
+struct AntColonyOptions {
+  std::optional<int> population = {}, kernel = {};
+};
+
+template <class Visit, IsOf<AntColonyOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(population_option(10, usual_size_in_words), o.population...);
+  visit(whole_option("kernel", 2, 1e6, "the population; it is never more"), o.kernel...);
+}
+
+SolverTermination minimise_by_gaco(const AntColonyOptions& options, Evaluator& evaluator,
                                    const Vector& start, Random& random) {
   UnitBox box(evaluator);
-  const Eigen::Index size = size_of(given, usual_size(start.size()));
-  const pagmo::population population = population_of(box, start, size, random);
+  const pagmo::population population = population_of(box, start, options.population, random);
+  const int size = static_cast<int>(population.size());
   constexpr double spread = 1;    // pagmo's own default
   constexpr double accuracy = 0;  // two values differ if they are not equal
   constexpr unsigned threshold = 1, marks = 7, never = 0;  // pagmo's own defaults
-  const int kernel =
-      std::min(whole_of(given, "kernel", static_cast<int>(size)), static_cast<int>(size));
+  const int kernel = std::min(options.kernel.value_or(size), size);
   pagmo::gaco(endless, static_cast<unsigned>(kernel), spread, highest(population), accuracy,
               threshold, marks, never, never, 0.0, false, seed_from(random))
       .evolve(population);
   return {converged};
 }
 
-Solver gaco(const GivenOptions& given) {
+Solver gaco(const AntColonyOptions& options) {
   return pagmo_solver("gaco", pagmo_all_constraints,
                       [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise_by_gaco(given, evaluator, start, random);
+                        return minimise_by_gaco(options, evaluator, start, random);
                       });
 }
 
@@ -462,10 +497,7 @@ Solver pagmo_gaco() {
 }
 
 AdjustableSolver adjustable_pagmo_gaco() {
-  return {"pagmo-gaco",
-          {population_option(10, usual_size_in_words),
-           whole_option("kernel", 2, "the population; it is never more")},
-          gaco};
+  return adjustable("pagmo-gaco", AntColonyOptions(), gaco);
 }
 
 namespace {
@@ -539,22 +571,33 @@ namespace {
 
 constexpr double automatic = -1;
 
-SolverTermination minimise_by_xnes(const GivenOptions& given, Evaluator& evaluator,
-                                   const Vector& start, Random& random) {
-  UnitBox box(evaluator);
-  const pagmo::population population =
-      population_of(box, start, size_of(given, evolution_size(start.size())), random);
-  pagmo::xnes(endless, automatic, automatic, automatic, number_of(given, "initial_step", automatic),
-              pagmo_value_tolerance, pagmo_step_tolerance, false, true, seed_from(random))
-      .evolve(population);
-  return {converged};
+struct XnesOptions {
+  std::optional<double> initial_step = {};
+  std::optional<int> population = {};
+};
+
+template <class Visit, IsOf<XnesOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  Field step = step_option;
+  step.remark = "pagmo's";
+  visit(step, o.initial_step...);
+  visit(population_option(4, evolution_size_in_words), o.population...);
 }
 
-Solver xnes(const GivenOptions& given) {
-  return pagmo_solver("xnes", pagmo_bounds_only,
-                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise_by_xnes(given, evaluator, start, random);
-                      });
+Solver xnes(const XnesOptions& options) {
+  return pagmo_solver(
+      "xnes", pagmo_bounds_only,
+      [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
+        UnitBox box(evaluator);
+        const Eigen::Index size =
+            options.population ? *options.population : evolution_size(start.size());
+        const pagmo::population population = population_of(box, start, size, random);
+        pagmo::xnes(endless, automatic, automatic, automatic,
+                    options.initial_step.value_or(automatic), pagmo_value_tolerance,
+                    pagmo_step_tolerance, false, true, seed_from(random))
+            .evolve(population);
+        return {converged};
+      });
 }
 
 }  // namespace
@@ -564,10 +607,7 @@ Solver pagmo_xnes() {
 }
 
 AdjustableSolver adjustable_pagmo_xnes() {
-  SolverOption step = real_option("initial_step", 0, 1, 0);
-  step.without_least = true;
-  step.usual = "pagmo's";
-  return {"pagmo-xnes", {step, population_option(4, evolution_size_in_words)}, xnes};
+  return adjustable("pagmo-xnes", XnesOptions(), xnes);
 }
 
 }  // namespace ricochet

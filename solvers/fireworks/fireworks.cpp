@@ -181,108 +181,69 @@ namespace {
 
 constexpr double largest_amplitude = 1e9;
 
-SolverOption growth(const AmplitudeSteps& own) {
-  return real_option("growth", 1, 1e3, own.growth);
-}
-
-SolverOption decline(const AmplitudeSteps& own) {
-  return real_option("decline", 1e-3, 1, own.decline);
-}
-
-AmplitudeSteps steps_of(const GivenOptions& given, const AmplitudeSteps& own) {
-  return {number_of(given, "growth", own.growth), number_of(given, "decline", own.decline)};
-}
-
-AdjustableSolver bare_bones() {
-  const BareBonesFireworksOptions own;
-  return {"bbfwa",
-          {whole_option("sparks", 1, own.sparks), growth(own.steps), decline(own.steps)},
-          [own](const GivenOptions& given) {
-            BareBonesFireworksOptions options = own;
-            options.sparks = whole_of(given, "sparks", own.sparks);
-            options.steps = steps_of(given, own.steps);
-            return bare_bones_fireworks("bbfwa", options);
-          }};
-}
-
-AdjustableSolver dynamic() {
-  const DynamicFireworksOptions own;
-  return {"dynfwa",
-          {whole_option("fireworks", 1, own.fireworks),
-           whole_option("sparks", 1, static_cast<int>(own.counts.sparks)),
-           real_option("amplitude", 0, largest_amplitude, own.amplitude), growth(own.steps),
-           decline(own.steps)},
-          [own](const GivenOptions& given) {
-            DynamicFireworksOptions options = own;
-            options.fireworks = whole_of(given, "fireworks", own.fireworks);
-            options.counts.sparks = number_of(given, "sparks", own.counts.sparks);
-            options.amplitude = number_of(given, "amplitude", own.amplitude);
-            options.steps = steps_of(given, own.steps);
-            return dynamic_fireworks("dynfwa", options);
-          }};
-}
-
-AdjustableSolver loser_out(const std::string& name, const LoserOutFireworksOptions& own) {
-  return {name,
-          {whole_option("fireworks", 1, own.fireworks), whole_option("sparks", 1, own.sparks),
-           real_option("guiding_share", 1e-3, 1, own.guiding_share),
-           whole_option("guiding_sparks", 1, own.guiding_sparks), growth(own.steps),
-           decline(own.steps)},
-          [name, own](const GivenOptions& given) {
-            LoserOutFireworksOptions options = own;
-            options.fireworks = whole_of(given, "fireworks", own.fireworks);
-            options.sparks = whole_of(given, "sparks", own.sparks);
-            options.guiding_share = number_of(given, "guiding_share", own.guiding_share);
-            options.guiding_sparks = whole_of(given, "guiding_sparks", own.guiding_sparks);
-            options.steps = steps_of(given, own.steps);
-            return loser_out_fireworks(name, options);
-          }};
-}
-
-AdjustableSolver partitioned() {
-  const PartitionedFireworksOptions own;
-  return {"fwassp",
-          {whole_option("fireworks", 1, own.fireworks), whole_option("sparks", 1, own.sparks),
-           real_option("initial_scale", 1e-6, 1, own.initial_scale),
-           whole_option("patience", 1, own.patience)},
-          [own](const GivenOptions& given) {
-            PartitionedFireworksOptions options = own;
-            options.fireworks = whole_of(given, "fireworks", own.fireworks);
-            options.sparks = whole_of(given, "sparks", own.sparks);
-            options.initial_scale = number_of(given, "initial_scale", own.initial_scale);
-            options.patience = whole_of(given, "patience", own.patience);
-            return partitioned_fireworks("fwassp", options);
-          }};
-}
-
-AdjustableSolver original(const std::string& name, const FireworksOptions& own) {
-  return {name,
-          {whole_option("fireworks", 1, own.fireworks),
-           whole_option("sparks", 1, static_cast<int>(own.counts.sparks)),
-           whole_option("gaussian_sparks", 0, own.gaussian_sparks),
-           real_option("amplitude", 0, largest_amplitude, own.amplitude)},
-          [name, own](const GivenOptions& given) {
-            FireworksOptions options = own;
-            options.fireworks = whole_of(given, "fireworks", own.fireworks);
-            options.counts.sparks = number_of(given, "sparks", own.counts.sparks);
-            options.gaussian_sparks = whole_of(given, "gaussian_sparks", own.gaussian_sparks);
-            options.amplitude = number_of(given, "amplitude", own.amplitude);
-            return fireworks(name, options);
-          }};
-}
+constexpr Field growth_option = real_option("growth", 1, 1e3);
+constexpr Field decline_option = real_option("decline", 1e-3, 1);
+constexpr Field sparks_option = whole_option("sparks", 1);
+constexpr Field fireworks_option = whole_option("fireworks", 1);
+constexpr Field amplitude_option = real_option("amplitude", 0, largest_amplitude);
 
 }  // namespace
 
+template <class Visit, IsOf<BareBonesFireworksOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(sparks_option, o.sparks...);
+  visit(growth_option, o.steps.growth...);
+  visit(decline_option, o.steps.decline...);
+}
+
+template <class Visit, IsOf<DynamicFireworksOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(fireworks_option, o.fireworks...);
+  visit(sparks_option, o.counts.sparks...);
+  visit(amplitude_option, o.amplitude...);
+  visit(growth_option, o.steps.growth...);
+  visit(decline_option, o.steps.decline...);
+}
+
+template <class Visit, IsOf<LoserOutFireworksOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(fireworks_option, o.fireworks...);
+  visit(sparks_option, o.sparks...);
+  visit(real_option("guiding_share", 1e-3, 1), o.guiding_share...);
+  visit(whole_option("guiding_sparks", 1), o.guiding_sparks...);
+  visit(growth_option, o.steps.growth...);
+  visit(decline_option, o.steps.decline...);
+}
+
+template <class Visit, IsOf<PartitionedFireworksOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(fireworks_option, o.fireworks...);
+  visit(sparks_option, o.sparks...);
+  visit(real_option("initial_scale", 1e-6, 1), o.initial_scale...);
+  visit(whole_option("patience", 1), o.patience...);
+}
+
+template <class Visit, IsOf<FireworksOptions>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(fireworks_option, o.fireworks...);
+  visit(sparks_option, o.counts.sparks...);
+  visit(whole_option("gaussian_sparks", 0), o.gaussian_sparks...);
+  visit(amplitude_option, o.amplitude...);
+}
+
 std::vector<AdjustableSolver> adjustable_family() {
-  return {original("fireworks", paper_options()),
-          original("fireworks-authors", authors_options()),
-          original("fireworks-corrected", corrected_options()),
-          original("efwa", enhanced_options()),
-          dynamic(),
-          bare_bones(),
-          loser_out("lotfwa", {}),
-          loser_out("mgfwa", multi_guiding_options()),
-          partitioned()};
+  const auto member_of = [](const std::string& name, const auto& own, const auto& make) {
+    return adjustable(name, own, [=](const auto& options) { return make(name, options); });
+  };
+  return {member_of("fireworks", paper_options(), fireworks),
+          member_of("fireworks-authors", authors_options(), fireworks),
+          member_of("fireworks-corrected", corrected_options(), fireworks),
+          member_of("efwa", enhanced_options(), fireworks),
+          member_of("dynfwa", DynamicFireworksOptions(), dynamic_fireworks),
+          member_of("bbfwa", BareBonesFireworksOptions(), bare_bones_fireworks),
+          member_of("lotfwa", LoserOutFireworksOptions(), loser_out_fireworks),
+          member_of("mgfwa", multi_guiding_options(), loser_out_fireworks),
+          member_of("fwassp", PartitionedFireworksOptions(), partitioned_fireworks)};
 }
 
 std::vector<Solver> family() {

@@ -10,7 +10,6 @@
 
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/scene/scene_fields.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
 #include "src/analysis/comparison/pairs.h"
 #include "src/analysis/comparison/sections.h"
@@ -138,7 +137,7 @@ std::string unit_of(const std::string& constant) {
   if (constant == "clearance") return "m";
   std::string unit = "1";
   Scene scene;
-  const auto visit = [&](const Field& field, const auto&... /*members*/) {
+  const auto visit = [&](const SceneField& field, const auto&... /*members*/) {
     if (field.key == constant) unit = field.unit;
   };
   visit_scene_fields(visit, scene);

@@ -74,7 +74,7 @@ Json varied_solver(const VariedSolver& varied) {
     options.push_back({{"name", option.name},
                        {"value", is_given ? json_of(given->second) : Json()},
                        {"usual", option.usual},
-                       {"range", option.range()}});
+                       {"range", option.allowed()}});
   }
   return {{"name", varied.name},
           {"of", varied.of},

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +16,7 @@
 #include "src/core/files.h"
 #include "src/experiment/draft_store.h"
 #include "src/experiment/run_rows.h"
-#include "src/experiment/store.h"
+#include "src/experiment/stored_fields.h"
 
 namespace ricochet {
 
@@ -103,8 +104,15 @@ class Bytes {
     for (const double coordinate : x) *this << coordinate;
     return *this;
   }
-  Bytes& operator<<(const TrueValues& true_values) {
-    return *this << true_values.objective << true_values.violation;
+  Bytes& operator<<(const std::map<std::string, double>& numbers) {
+    *this << std::uint64_t{numbers.size()};
+    for (const auto& [name, value] : numbers) *this << name << value;
+    return *this;
+  }
+  template <HasFields T>
+  Bytes& operator<<(const T& value) {
+    visit_fields([&](const Field& /*field*/, const auto& x) { *this << x; }, value);
+    return *this;
   }
 
   std::string taken() { return std::exchange(text_, {}); }
@@ -113,24 +121,10 @@ class Bytes {
   std::string text_;
 };
 
-std::string bytes_of(const StoredProblem& problem) {
-  Bytes bytes;
-  bytes << problem.name << problem.family << problem.machine << problem.variables
-        << problem.constraints << problem.equalities << problem.tolerance << problem.best_known
-        << problem.hash;
-  for (const auto* numbers : {&problem.factors, &problem.findings}) {
-    bytes << std::uint64_t{numbers->size()};
-    for (const auto& [name, value] : *numbers) bytes << name << value;
-  }
-  return bytes.taken();
-}
-
-std::string bytes_of(const RunKey& key) {
-  const Cell& cell = key.cell;
-  Bytes bytes;
-  bytes << cell.problem << cell.formulation << cell.perturbation << cell.solver << cell.budget
-        << cell.gradient_price << key.instance << key.run;
-  return bytes.taken();
+/// Of what has only fields that are the same on every machine and at every time.
+template <HasFields T>
+std::string bytes_of(const T& value) {
+  return (Bytes() << value).taken();
 }
 
 std::string bytes_of(const std::vector<Improvement>& trace) {

@@ -11,6 +11,7 @@
 #include "ricochet/error.h"
 #include "src/experiment/merge.h"
 #include "src/experiment/store_file.h"
+#include "src/experiment/stored_fields.h"
 
 namespace ricochet {
 
@@ -333,11 +334,10 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
   SQLite::Statement add_finding(database, "INSERT INTO finding VALUES (?, ?, ?)");
   int number = 0;
   for (const StoredProblem& problem : description.problems) {
-    Use(add_problem)
-        .with(++number, problem.name, problem.family, problem.machine, problem.variables,
-              problem.constraints, problem.equalities, problem.tolerance, problem.best_known,
-              problem.hash)
-        .execute();
+    Use row(add_problem);
+    row.with(++number);
+    visit_columns([&](const Field& /*field*/, const auto& x) { row.with(x); }, problem);
+    row.execute();
     for (const auto& [name, value] : problem.factors) {
       Use(add_factor).with(number, name, value).execute();
     }
@@ -362,20 +362,20 @@ CampaignDescription description_in(SQLite::Database& database) {
   description.plan = campaign.text(0);
   description.program = notes_in(database, "program");
   description.made = notes_in(database, "made");
-  SQLite::Statement problems(
-      database,
-      "SELECT number, name, family, machine, variables, constraints, "
-      "equalities, tolerance, best_known, hash FROM problem ORDER BY number");
-  Use problem(problems);
-  while (problem.next()) {
-    const std::int64_t number = problem.integer(0);
+  const StoredProblem none;
+  std::string columns = "number";
+  visit_columns([&](const Field& field, const auto&) { (columns += ", ") += field.key; }, none);
+  SQLite::Statement problems(database, "SELECT " + columns + " FROM problem ORDER BY number");
+  Use row(problems);
+  while (row.next()) {
+    const std::int64_t number = row.integer(0);
     in_row("problem", number, [&] {
-      description.problems.push_back({problem.text(1), problem.text(2), problem.text(3),
-                                      problem.count(4), problem.count(5), problem.count(6),
-                                      problem.number(7), problem.number(8),
-                                      numbers_in(database, "factor", number),
-                                      numbers_in(database, "finding", number), problem.text(9)});
-      check(description.problems.back());
+      StoredProblem& problem = description.problems.emplace_back();
+      int column = 0;
+      visit_columns([&](const Field& /*field*/, auto& x) { row.read(++column, x); }, problem);
+      problem.factors = numbers_in(database, "factor", number);
+      problem.findings = numbers_in(database, "finding", number);
+      check(problem);
     });
   }
   auto contents = notes_in(database, "content");

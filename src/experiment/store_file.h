@@ -62,11 +62,10 @@ class Use {
   Use(const Use&) = delete;
   Use& operator=(const Use&) = delete;
 
-  /// Binds the parameters, from the first to the last.
+  /// Binds the next parameters.
   template <class... Values>
   Use& with(const Values&... values) {
-    int parameter = 0;
-    (bind(++parameter, values), ...);
+    (bind(++bound_, values), ...);
     return *this;
   }
 
@@ -81,6 +80,10 @@ class Use {
   std::string text(int column) const;
   Vector point(int column) const;
   bool is_null(int column) const { return statement_.isColumnNull(column); }
+
+  void read(int column, std::int64_t& target) const { target = count(column); }
+  void read(int column, double& target) const { target = number(column); }
+  void read(int column, std::string& target) const { target = text(column); }
 
  private:
   void bind(int parameter, int value) { statement_.bind(parameter, value); }
@@ -100,6 +103,7 @@ class Use {
   }
 
   SQLite::Statement& statement_;
+  int bound_ = 0;  ///< parameters
 };
 
 }  // namespace ricochet

@@ -20,6 +20,7 @@
 #include "ricochet/error.h"
 #include "src/core/instance.h"
 #include "src/experiment/merge.h"
+#include "src/experiment/stored_fields.h"
 
 namespace ricochet {
 
@@ -285,110 +286,87 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string bytes_of(const Json& json) {
-  std::string bytes;
-  Json::to_cbor(json, nlohmann::detail::output_adapter<char>(bytes));
-  return bytes;
-}
+/// What goes through a pipe or to another rank, as CBOR: of a struct the values of its fields, in
+/// the order of their list.
+struct Message {
+  template <class T>
+  static Json of(const T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      return static_cast<int>(value);
+    } else if constexpr (HasFields<T>) {
+      Json list = Json::array();
+      visit_fields([&](const Field& /*field*/, const auto& x) { list.push_back(of(x)); }, value);
+      return list;
+    } else {
+      return value;
+    }
+  }
+  static Json of(const Vector& x) { return std::vector<double>(x.begin(), x.end()); }
+  template <class T>
+  static Json of(const std::optional<T>& value) {
+    return value ? of(*value) : Json();
+  }
+  template <class T>
+  static Json of(const std::vector<T>& list) {
+    Json all = Json::array();
+    for (const T& entry : list) all.push_back(of(entry));
+    return all;
+  }
 
-Json json_of(const Vector& x) {
-  return std::vector<double>(x.begin(), x.end());
-}
+  template <class T>
+  static void read(const Json& json, T& target) {
+    if constexpr (std::is_enum_v<T>) {
+      target = static_cast<T>(json.get<int>());
+    } else if constexpr (HasFields<T>) {
+      std::size_t k = 0;
+      visit_fields([&](const Field& /*field*/, auto& x) { read(json.at(k++), x); }, target);
+    } else {
+      json.get_to(target);
+    }
+  }
+  static void read(const Json& json, Vector& target) {
+    const auto numbers = json.get<std::vector<double>>();
+    target = Eigen::Map<const Vector>(numbers.data(), std::ssize(numbers));
+  }
+  template <class T>
+  static void read(const Json& json, std::optional<T>& target) {
+    if (!json.is_null()) read(json, target.emplace());
+  }
+  template <class T>
+  static void read(const Json& json, std::vector<T>& target) {
+    for (const Json& entry : json) read(entry, target.emplace_back());
+  }
 
-Vector vector_from(const Json& json) {
-  const auto numbers = json.get<std::vector<double>>();
-  return Eigen::Map<const Vector>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
-}
-
-Json json_of(const TrueValues& true_values) {
-  return {true_values.objective, true_values.violation};
-}
-
-TrueValues true_values_from(const Json& json) {
-  return {json.at(0), json.at(1)};
-}
-
-Json json_of(const Improvement& step) {
-  return {step.evaluations, step.seconds, json_of(step.true_values), json_of(step.x)};
-}
-
-Improvement step_from(const Json& json) {
-  return {json.at(0), json.at(1), true_values_from(json.at(2)), vector_from(json.at(3))};
-}
-
-Json json_of(const SolverTermination& exit) {
-  return {exit.reason, exit.point ? json_of(*exit.point) : Json()};
-}
-
-SolverTermination exit_from(const Json& json) {
-  SolverTermination exit{json.at(0)};
-  if (!json.at(1).is_null()) exit.point = vector_from(json.at(1));
-  return exit;
-}
-
-template <class List>
-Json array_of(const List& list) {
-  Json all = Json::array();
-  for (const auto& entry : list) all.push_back(json_of(entry));
-  return all;
-}
+  template <class T>
+  static std::string bytes_of(const T& value) {
+    std::string bytes;
+    Json::to_cbor(of(value), nlohmann::detail::output_adapter<char>(bytes));
+    return bytes;
+  }
+  template <class T>
+  static T from(const std::string& bytes) {
+    T value{};
+    read(Json::from_cbor(bytes), value);
+    return value;
+  }
+};
 
 }  // namespace
 
 std::string text_of(const Improvement& improvement) {
-  return bytes_of(json_of(improvement));
+  return Message::bytes_of(improvement);
 }
 
 Improvement improvement_from(const std::string& text) {
-  return step_from(Json::from_cbor(text));
+  return Message::from<Improvement>(text);
 }
 
 std::string text_of(const RunRecord& record) {
-  const Ledger& ledger = record.ledger;
-  Json json = {{"problem", record.problem},
-               {"solver", record.solver},
-               {"instance", record.instance},
-               {"run", record.run},
-               {"seed", record.seed},
-               {"evaluations", record.budget.evaluations},
-               {"seconds", record.budget.seconds},
-               {"ledger",
-                {ledger.values, ledger.derivatives, ledger.hessians, ledger.charged, ledger.refused,
-                 ledger.seconds}},
-               {"termination_reason", static_cast<int>(record.termination_reason)},
-               {"terminations", array_of(record.terminations)},
-               {"failure", record.failure},
-               {"trace", array_of(record.trace)}};
-  if (const auto& price = record.budget.gradient_price) json["gradient_price"] = *price;
-  if (const auto& over = record.returned) {
-    json["returned"] = {json_of(over->x), json_of(over->true_values)};
-  }
-  return bytes_of(json);
+  return Message::bytes_of(record);
 }
 
 RunRecord record_from(const std::string& text) {
-  const Json json = Json::from_cbor(text);
-  const Json& ledger = json.at("ledger");
-  RunRecord record;
-  record.problem = json.at("problem");
-  record.solver = json.at("solver");
-  record.instance = json.at("instance");
-  record.run = json.at("run");
-  record.seed = json.at("seed");
-  record.budget = {json.at("evaluations"), json.at("seconds")};
-  if (json.contains("gradient_price")) record.budget.gradient_price = json["gradient_price"];
-  record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2),
-                   ledger.at(3), ledger.at(4), ledger.at(5)};
-  record.termination_reason =
-      static_cast<TerminationReason>(json.at("termination_reason").get<int>());
-  for (const Json& exit : json.at("terminations")) record.terminations.push_back(exit_from(exit));
-  record.failure = json.at("failure");
-  for (const Json& step : json.at("trace")) record.trace.push_back(step_from(step));
-  if (json.contains("returned")) {
-    const Json& over = json["returned"];
-    record.returned = {vector_from(over.at(0)), true_values_from(over.at(1))};
-  }
-  return record;
+  return Message::from<RunRecord>(text);
 }
 
 }  // namespace ricochet

@@ -13,58 +13,40 @@
 namespace ricochet::live {
 namespace {
 
-using carrier_track::Field;
 using carrier_track::PlateSpeed;
-using carrier_track::Range;
 using carrier_track::Revolutions;
+using carrier_track::SceneField;
 using carrier_track::Seconds;
 using carrier_track::SpeedKnot;
 using carrier_track::Walls;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-std::string range_of(Range range) {
-  switch (range) {
-    case Range::positive:
-      return "> 0";
-    case Range::not_negative:
-    case Range::frequency:
-      return ">= 0";
-    case Range::fraction:
-      return "0..1";
-    case Range::any:
-    case Range::finite:
-    case Range::by_rule:
-      break;
-  }
-  return "";
-}
-
 /// Lists the fields of a table.
 struct FieldList {
   std::string table;
   std::vector<FlatField>& fields;
 
-  void add(const Field& field, std::string_view suffix = "",
+  void add(const SceneField& field, std::string_view suffix = "",
            std::vector<std::string> choices = {}) const {
     fields.push_back({table, std::string(field.key) + std::string(suffix), std::string(field.unit),
-                      std::string(field.remark), range_of(field.range), std::move(choices),
-                      field.presence == carrier_track::Presence::required});
+                      std::string(field.remark), std::string(field.range.brief), std::move(choices),
+                      field.presence == Presence::required});
   }
 
-  void operator()(const Field& field, double /*x*/) const { add(field); }
-  void operator()(const Field& field, Walls<const double> /*x*/) const {
+  void operator()(const SceneField& field, double /*x*/) const { add(field); }
+  void operator()(const SceneField& field, Walls<const double> /*x*/) const {
     add(field, "_lower");
     add(field, "_upper");
   }
-  void operator()(const Field& field,
+  void operator()(const SceneField& field,
                   PlateSpeed<const double, const std::vector<SpeedKnot<double>>> /*x*/) const {
     add(field);
   }
-  void operator()(const Field& field, const std::optional<double>& /*x*/) const { add(field); }
-  void operator()(const Field& field, bool /*x*/) const { add(field, "", {"false", "true"}); }
+  void operator()(const SceneField& field, const std::optional<double>& /*x*/) const { add(field); }
+  void operator()(const SceneField& field, bool /*x*/) const { add(field, "", {"false", "true"}); }
   template <class Enum>
-  void operator()(const Field& field, Enum x) const {
+  void operator()(const SceneField& field, Enum x) const {
     std::vector<std::string> names;
     for (const auto& [name, value] : names_of(x)) names.emplace_back(name);
     add(field, "", std::move(names));
@@ -74,21 +56,21 @@ struct FieldList {
 struct NumberList {
   std::vector<double>& numbers;
 
-  void operator()(const Field& /*field*/, double x) const { numbers.push_back(x); }
-  void operator()(const Field& /*field*/, Walls<const double> x) const {
+  void operator()(const SceneField& /*field*/, double x) const { numbers.push_back(x); }
+  void operator()(const SceneField& /*field*/, Walls<const double> x) const {
     numbers.push_back(x.lower);
     numbers.push_back(x.upper);
   }
-  void operator()(const Field& /*field*/,
+  void operator()(const SceneField& /*field*/,
                   PlateSpeed<const double, const std::vector<SpeedKnot<double>>> speed) const {
     numbers.push_back(speed.omega);
   }
-  void operator()(const Field& /*field*/, const std::optional<double>& x) const {
+  void operator()(const SceneField& /*field*/, const std::optional<double>& x) const {
     numbers.push_back(x.value_or(missing));
   }
-  void operator()(const Field& /*field*/, bool x) const { numbers.push_back(x ? 1 : 0); }
+  void operator()(const SceneField& /*field*/, bool x) const { numbers.push_back(x ? 1 : 0); }
   template <class Enum>
-  void operator()(const Field& /*field*/, Enum x) const {
+  void operator()(const SceneField& /*field*/, Enum x) const {
     double place = 0;
     for (const auto& choice : names_of(x)) {
       if (choice.second == x) break;
@@ -108,27 +90,27 @@ struct NumberReader {
     return x;
   }
 
-  void operator()(const Field& /*field*/, double& x) const { x = next(); }
-  void operator()(const Field& /*field*/, Walls<double> x) const {
+  void operator()(const SceneField& /*field*/, double& x) const { x = next(); }
+  void operator()(const SceneField& /*field*/, Walls<double> x) const {
     x.lower = next();
     x.upper = next();
   }
-  void operator()(const Field& /*field*/,
+  void operator()(const SceneField& /*field*/,
                   PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
     speed.omega = next();
   }
-  void operator()(const Field& /*field*/, std::optional<double>& x) const {
+  void operator()(const SceneField& /*field*/, std::optional<double>& x) const {
     const double given = next();
     x = std::isnan(given) ? std::nullopt : std::optional(given);
   }
-  void operator()(const Field& field, bool& x) const { x = choice(field, 2) == 1; }
+  void operator()(const SceneField& field, bool& x) const { x = choice(field, 2) == 1; }
   template <class Enum>
-  void operator()(const Field& field, Enum& x) const {
+  void operator()(const SceneField& field, Enum& x) const {
     const auto& names = names_of(x);
     x = names[choice(field, names.size())].second;
   }
 
-  std::size_t choice(const Field& field, std::size_t choices) const {
+  std::size_t choice(const SceneField& field, std::size_t choices) const {
     const double place = next();
     if (!(place >= 0 && place < static_cast<double>(choices))) {
       throw InputError("machine: " + std::string(field.key) + ": there is no such choice");
@@ -137,9 +119,9 @@ struct NumberReader {
   }
 };
 
-constexpr Field revolutions{"revolutions", "1", "of the driver plate, that are simulated",
-                            Range::positive};
-constexpr Field seconds{"seconds", "s", "that are simulated", Range::positive};
+constexpr SceneField revolutions{"revolutions", "1", "of the driver plate, that are simulated",
+                                 carrier_track::ranges::positive};
+constexpr SceneField seconds{"seconds", "s", "that are simulated", carrier_track::ranges::positive};
 
 void read_window(const NumberReader& read, Scene& scene) {
   const double turns = read.next(), time = read.next();

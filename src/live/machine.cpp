@@ -14,7 +14,6 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "problems/carrier_track/suite/cases.h"
 #include "ricochet/error.h"
 #include "src/core/names.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ricochet/solver.h"
+#include "src/core/fields.h"
 
 namespace ricochet::report {
 
@@ -76,31 +77,35 @@ struct nlohmann::adl_serializer<std::optional<T>> {
   }
 };
 
-/// Turns a struct into a JSON object with one key for each named member, in this order. Write it
-/// after the struct, in its namespace.
-#define RICOCHET_WRITTEN_AS_JSON(Type, ...)                                       \
-  inline void to_json(ricochet::report::Json& json, const Type& value) {          \
-    json = ricochet::report::Json::object();                                      \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(RICOCHET_WRITE_MEMBER, __VA_ARGS__)) \
-  }                                                                               \
-  static_assert(true)
-#define RICOCHET_WRITE_MEMBER(member)                           \
-  json[std::string(ricochet::report::key_of_member(#member))] = \
-      ricochet::report::as_json(value.member);
+/// A struct with a list of its fields is an object of them, in this order. Reading one throws
+/// Json::exception where a member is missing.
+template <ricochet::HasFields T>
+struct nlohmann::adl_serializer<T> {
+  static void to_json(ricochet::report::Json& json, const T& value) {
+    json = ricochet::report::Json::object();
+    visit_fields(
+        [&](const ricochet::Field& field, const auto& member) {
+          json[std::string(field.key)] = ricochet::report::as_json(member);
+        },
+        value);
+  }
+  static void from_json(const ricochet::report::Json& json, T& value) {
+    visit_fields([&](const ricochet::Field& field,
+                     auto& member) { ricochet::report::read_member(json, field.key, member); },
+                 value);
+  }
+};
 
-/// Reads a struct from such an object. Throws Json::exception where a member is missing.
-#define RICOCHET_READ_FROM_JSON(Type, ...)                                       \
-  inline void from_json(const ricochet::report::Json& json, Type& value) {       \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(RICOCHET_READ_MEMBER, __VA_ARGS__)) \
+/// The list of a struct's fields that have nothing but their names. Write it after the struct, in
+/// its namespace.
+#define RICOCHET_FIELDS(Type, ...)                                               \
+  template <class Visit, ricochet::IsOf<Type>... Of>                             \
+  void visit_fields(const Visit& visit, Of&... of) {                             \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(RICOCHET_NAMED_FIELD, __VA_ARGS__)) \
   }                                                                              \
   static_assert(true)
-#define RICOCHET_READ_MEMBER(member) \
-  ricochet::report::read_member(json, ricochet::report::key_of_member(#member), value.member);
-
-/// Both.
-#define RICOCHET_JSON(Type, ...)               \
-  RICOCHET_WRITTEN_AS_JSON(Type, __VA_ARGS__); \
-  RICOCHET_READ_FROM_JSON(Type, __VA_ARGS__)
+#define RICOCHET_NAMED_FIELD(member) \
+  visit(ricochet::Field{ricochet::report::key_of_member(#member)}, of.member...);
 
 namespace ricochet::studies {
 

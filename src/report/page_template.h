@@ -45,18 +45,18 @@ struct Headline {
   std::vector<Excerpt> excerpts;
   std::vector<Chart> charts;  ///< named like the sections that they link to
 };
-RICOCHET_JSON(Headline, version, title, finding, command, holds);
+RICOCHET_FIELDS(Headline, version, title, finding, command, holds);
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Scale,
                              {{Scale::linear, "linear"}, {Scale::logarithmic, "logarithmic"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Mark, {{Mark::line, "line"},
                                     {Mark::steps, "steps"},
                                     {Mark::points, "points"}})
-RICOCHET_WRITTEN_AS_JSON(Range, lower, upper);
-RICOCHET_WRITTEN_AS_JSON(Axis, label, scale, range);
-RICOCHET_WRITTEN_AS_JSON(Sample, position, value, name);
-RICOCHET_WRITTEN_AS_JSON(Series, label, mark, pale, samples);
-RICOCHET_WRITTEN_AS_JSON(Chart, name, title, x, y, series);
+RICOCHET_FIELDS(Range, lower, upper);
+RICOCHET_FIELDS(Axis, label, scale, range);
+RICOCHET_FIELDS(Sample, position, value, name);
+RICOCHET_FIELDS(Series, label, mark, pale, samples);
+RICOCHET_FIELDS(Chart, name, title, x, y, series);
 
 /// The result of filling in a template.
 struct DrawnPage {

@@ -36,7 +36,7 @@ struct ReportKind {
   std::string command;   ///< the command that makes it
 };
 
-RICOCHET_WRITTEN_AS_JSON(ReportKind, name, group, label, question, command);
+RICOCHET_FIELDS(ReportKind, name, group, label, question, command);
 
 /// Returns all kinds: the templates whose headline has a command, in the order of a site.
 std::vector<ReportKind> report_kinds();

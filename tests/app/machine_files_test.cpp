@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/scene_fields.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "tests/app/tool.h"
 
 namespace ricochet::cli {
@@ -49,29 +48,11 @@ std::map<std::string, Row> rows_of_scene_keys() {
   return rows;
 }
 
-std::string in_words(carrier_track::Range range) {
-  switch (range) {
-    case carrier_track::Range::finite:
-      return "finite";
-    case carrier_track::Range::not_negative:
-    case carrier_track::Range::frequency:
-      return ">= 0";
-    case carrier_track::Range::positive:
-      return "> 0";
-    case carrier_track::Range::fraction:
-      return "0..1";
-    case carrier_track::Range::any:
-    case carrier_track::Range::by_rule:
-      break;
-  }
-  return "";
-}
-
 TEST(MachineFiles, DocumentEveryUnit) {
   const std::string page = read(RICOCHET_SOURCE "/docs/machine-files.md");
   for (const char* unit : {"m", "m/s", "kg", "kg m", "N", "s", "rad", "rad/s"}) {
     std::string row = fmt::format("| {} |", unit);
-    for (const std::string_view name : carrier_track::units_for(unit)) {
+    for (const std::string_view name : units_for(unit)) {
       row += fmt::format("{}`{}`", row.ends_with('|') ? " " : ", ", name);
     }
     EXPECT_THAT(page, testing::HasSubstr(row + " |\n"));
@@ -87,7 +68,7 @@ TEST(MachineFiles, DocumentEveryFieldOfAScene) {
                                 "scene.restitution_upper", "across.restitution_lower",
                                 "across.restitution_upper"};
   const auto expect_row_in = [&](const std::string& table) {
-    return [&rows, &keys, table](const carrier_track::Field& field) {
+    return [&rows, &keys, table](const carrier_track::SceneField& field) {
       const std::string key = fmt::format("{}.{}", table, field.key);
       keys.insert(key);
       ASSERT_TRUE(rows.contains(key)) << key;
@@ -97,10 +78,12 @@ TEST(MachineFiles, DocumentEveryFieldOfAScene) {
       EXPECT_THAT(row.unit, testing::StartsWith(unit)) << key;
       EXPECT_EQ(row.unit.empty(), unit.empty()) << key;
       if (field.key != "wall_lower") {  // whose row is that of both walls
-        EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
+        const bool is_finite = field.range == carrier_track::ranges::finite;
+        const std::string allowed(is_finite ? "finite" : field.range.brief);
+        EXPECT_THAT(row.allowed, testing::HasSubstr(allowed)) << key;
       }
       EXPECT_EQ(row.missing.starts_with("must be given"),
-                field.presence == carrier_track::Presence::required)
+                field.presence == Presence::required)
           << key;
     };
   };

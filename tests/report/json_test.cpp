@@ -11,14 +11,14 @@ struct Part {
   double number;
   std::vector<double> numbers = {};
 };
-RICOCHET_JSON(Part, number, numbers);
+RICOCHET_FIELDS(Part, number, numbers);
 
 struct Whole {
   std::string case_;
   std::optional<int> count;
   std::vector<Part> parts;
 };
-RICOCHET_JSON(Whole, case_, count, parts);
+RICOCHET_FIELDS(Whole, case_, count, parts);
 
 TEST(StructAsJson, HasItsMembersInOrder) {
   const Json json = Whole{"C1", 3, {{0.5}}};

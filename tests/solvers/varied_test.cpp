@@ -100,8 +100,9 @@ bool changes_a_run(const AdjustableSolver& solver, const std::string& option,
 /// Some that are allowed and cost little.
 std::vector<double> values_for(const SolverOption& option) {
   std::vector<double> values;
-  for (const double value : {option.least, option.most, std::sqrt(option.least * option.most), 1.0,
-                             2.0, 3.0, 20.0, 30.0, 0.5, 0.9, 0.3, 0.1, 0.01}) {
+  for (const double value :
+       {option.range.least, option.range.most, std::sqrt(option.range.least * option.range.most),
+        1.0, 2.0, 3.0, 20.0, 30.0, 0.5, 0.9, 0.3, 0.1, 0.01}) {
     if (option.allows(value) && std::abs(value) <= 100) values.push_back(value);
   }
   return values;

@@ -195,24 +195,24 @@ class EachConstant {
   EachConstant(std::string prefix, const Use& use) : prefix_(std::move(prefix)), use_(use) {}
 
   template <class T>
-  void operator()(const Field& field, T&& member) const {
+  void operator()(const SceneField& field, T&& member) const {
     if constexpr (std::is_same_v<std::remove_cvref_t<T>, double>) {
       if (field.perturbation == Perturbation::relative)
         use_(prefix_ + std::string(field.key), member);
     }
   }
-  void operator()(const Field& field, Walls<double> walls) const {
+  void operator()(const SceneField& field, Walls<double> walls) const {
     if (field.perturbation != Perturbation::restitution) return;
     use_(prefix_ + std::string(field.key), walls.lower);
     use_(prefix_ + std::string(field.key), walls.upper);
     walls.lower = std::min(1.0, walls.lower);
     walls.upper = std::min(1.0, walls.upper);
   }
-  void operator()(const Field& field, std::optional<double>& member) const {
+  void operator()(const SceneField& field, std::optional<double>& member) const {
     if (member) (*this)(field, *member);
   }
   template <class Knots>
-  void operator()(const Field&, PlateSpeed<double, Knots>) const {}
+  void operator()(const SceneField&, PlateSpeed<double, Knots>) const {}
 
  private:
   std::string prefix_;

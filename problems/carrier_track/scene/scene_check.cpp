@@ -32,37 +32,19 @@ class Checker {
   }
 
   /// Checks that a field is within its range in the list.
-  void operator()(const Field& field, double x) const {
-    const auto number = [&](bool holds, std::string_view bound, std::string_view limits) {
-      require(holds, field.key, x,
-              fmt::format("a finite number{} [{}], {}", bound, field.unit, limits));
-    };
-    const bool is_small = std::abs(x) <= largest_number;  // and not NaN
-    switch (field.range) {
-      case Range::finite:
-        return number(is_small, "", "within -1e15..1e15");
-      case Range::not_negative:
-        return number(is_small && x >= 0, " >= 0", "at most 1e15");
-      case Range::positive:
-        return number(is_small && x >= smallest_number, " > 0", "within 1e-15..1e15");
-      case Range::frequency:
-        return number(x >= 0 && x <= fastest_frequency, " >= 0", "at most 1e9");
-      case Range::fraction:
-        return require(x >= 0 && x <= 1, field.key, x, "within 0..1");
-      case Range::any:
-      case Range::by_rule:
-        return;
-    }
+  void operator()(const SceneField& field, double x) const {
+    if (contains(field.range, x)) return;
+    require(false, field.key, x, in_words(field.range, field.unit));
   }
-  void operator()(const Field& field, Walls<const double> x) const {
+  void operator()(const SceneField& field, Walls<const double> x) const {
     (*this)(field, x.lower);
     (*this)(field, x.upper);
   }
-  void operator()(const Field& field, const std::optional<double>& x) const {
+  void operator()(const SceneField& field, const std::optional<double>& x) const {
     if (x) (*this)(field, *x);
   }
   template <class Other>
-  void operator()(const Field& /*field*/, const Other& /*x*/) const {}
+  void operator()(const SceneField& /*field*/, const Other& /*x*/) const {}
 
   /// Checks the walls of a scene or of its second direction, and the start between them.
   template <class Track>
@@ -81,8 +63,8 @@ class Checker {
   std::string_view table_;
 };
 
-Field speed_field(std::string_view name) {
-  return {name, "rad/s", "", Range::frequency};
+SceneField speed_field(std::string_view name) {
+  return {name, "rad/s", "", ranges::frequency};
 }
 
 void check_speed(const Scene& scene, const Checker& checker, const std::string& name) {
@@ -128,7 +110,7 @@ void check_across(const Scene& scene, const std::string& origin) {
       .require(!scene.contact_friction, "contact_friction", 1,
                "false, because [across] has friction in contact of its own");
   const Checker checker(origin, "across.");
-  const auto check_field = [&](const Field& field, const auto& x) {
+  const auto check_field = [&](const SceneField& field, const auto& x) {
     checker(field, x);
     if (field.key == "wall_upper") checker.walls(*scene.across);
     if (field.key == "pull") {
@@ -169,7 +151,7 @@ void check_omega(const Scene& scene, const std::string& origin, const std::strin
 
 void check(const Scene& scene, const std::string& origin) {
   const Checker checker(origin, "scene.");
-  const auto check_field = [&](const Field& field, const auto& x) {
+  const auto check_field = [&](const SceneField& field, const auto& x) {
     checker(field, x);
     if (field.key == "wall_upper") checker.walls(scene);
     if (field.key == "friction") {
@@ -186,9 +168,9 @@ void check(const Scene& scene, const std::string& origin) {
   check_across(scene, origin);
   const Checker window(origin, "window.");
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
-    window(Field{"revolutions", "1", "", Range::positive}, turns->count);
+    window(SceneField{"revolutions", "1", "", ranges::positive}, turns->count);
   } else {
-    window(Field{"seconds", "s", "", Range::positive}, std::get<Seconds>(scene.window).count);
+    window(SceneField{"seconds", "s", "", ranges::positive}, std::get<Seconds>(scene.window).count);
   }
   check_window(scene, window);
   visit_count_fields(Checker(origin, "count."), scene);

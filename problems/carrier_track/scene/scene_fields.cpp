@@ -45,10 +45,10 @@ struct KeyList {
   std::vector<std::string>& keys;
 
   template <class Member>
-  void operator()(const Field& field, const Member& /*member*/) const {
+  void operator()(const SceneField& field, const Member& /*member*/) const {
     keys.emplace_back(field.key);
   }
-  void operator()(const Field& field, const Walls<double>& /*member*/) const {
+  void operator()(const SceneField& field, const Walls<double>& /*member*/) const {
     for (const char* wall : {"", "_lower", "_upper"}) keys.push_back(std::string(field.key) + wall);
   }
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,67 +16,155 @@
 
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_fields.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
+#include "src/core/fields.h"
 #include "src/core/names.h"
-#include "src/core/toml.h"
+#include "src/core/progress.h"
+#include "src/core/toml_fields.h"
 
 namespace ricochet::carrier_track::inline scene {
 
 namespace {
 
-/// Reads the fields of a table, each according to its type.
-struct FieldReader {
-  TomlTable& table;
+/// The uncertain numbers of a file, in the order in which they are read.
+struct Uncertain {
+  std::span<const double> shares = {};  ///< where each is read, see SceneFile; empty: at its value
+  std::vector<Uncertainty> found = {};  ///< those read so far
+};
 
-  void operator()(const Field& field, double& x) const {
+/// Reads the fields of a table. A number may be a table {value = ..., plus_minus = ...}, too. That
+/// numbers are within their ranges, check() sees to.
+struct SceneReader {
+  TomlTable table;
+  Uncertain& uncertain;
+
+  TomlValue value_of(const SceneField& field) const {
+    return {*table.find(field.key), field, table};
+  }
+  double number(const SceneField& field, std::string_view others = "") const {
+    return number(value_of(field), others);
+  }
+
+  /// A number in any of its forms; `others` says what else the key may have.
+  double number(const TomlValue& given, std::string_view others) const {
+    const toml::table* range = given.node.as_table();
+    if (range == nullptr) return number_in(given, others);
+    const toml::node* value = range->get("value");
+    const toml::node* plus_minus = range->get("plus_minus");
+    if (value == nullptr || plus_minus == nullptr || range->size() != 2) {
+      given.refuse("a number, or {value = NUMBER, plus_minus = NUMBER}");
+    }
+    const double middle = number_in(given.entry(*value));
+    const double width = number_in(given.entry(*plus_minus));
+    if (!(width > 0 && std::isfinite(width) && std::isfinite(middle))) {
+      throw InputError(fmt::format(
+          "{}: {} = {{value = {}, plus_minus = {}}}: must be finite numbers, and plus_minus > 0",
+          table.place(), table.named(given.field.key), middle, width));
+    }
+    const std::size_t index = uncertain.found.size();
+    uncertain.found.push_back(
+        {table.named(given.field.key), middle, width, std::string(given.field.unit)});
+    return uncertain.shares.empty() ? middle : middle + uncertain.shares[index] * width;
+  }
+
+  void operator()(const SceneField& field, double& x) const {
     if (field.presence == Presence::required) table.need(field.key);
-    table.number(field, x);
+    if (table.has(field.key)) x = number(field);
   }
-  void operator()(const Field& field, Walls<double> x) const {
-    table.walls(field, x.lower, x.upper);
+
+  /// One number for both walls under the key, or one for each under key_lower and key_upper;
+  /// required. An array of two under the key, as version 1 had it, is read with a warning.
+  void operator()(const SceneField& field, Walls<double> x) const {
+    const std::string lower_key = fmt::format("{}_lower", field.key);
+    const std::string upper_key = fmt::format("{}_upper", field.key);
+    const bool of_each = table.has(lower_key) || table.has(upper_key);
+    if (of_each == table.has(field.key)) {
+      throw InputError(fmt::format(
+          "{}: {} {}; give {} for both walls, or {} and {}", table.place(), table.named(field.key),
+          of_each ? "is given twice" : "is missing", field.key, lower_key, upper_key));
+    }
+    if (of_each) {
+      table.need(lower_key);
+      table.need(upper_key);
+      x.lower = number({lower_key, field.unit});
+      x.upper = number({upper_key, field.unit});
+      return;
+    }
+    constexpr const char* others = ", or [lower, upper]";
+    const TomlValue both = value_of(field);
+    const toml::array* array = both.node.as_array();
+    if (array == nullptr) {
+      x.lower = x.upper = number(field, others);
+      return;
+    }
+    if (array->size() != 2) both.refuse("a number, or [lower, upper]");
+    x.lower = number(both.entry(*array->get(0)), others);
+    x.upper = number(both.entry(*array->get(1)), others);
+    warn(fmt::format("{}: {} = [lower, upper] is now written as {} and {}", table.place(),
+                     table.named(field.key), lower_key, upper_key));
   }
-  void operator()(const Field& field,
+
+  /// A number, or an array of [time, omega].
+  void operator()(const SceneField& field,
                   PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
-    table.number_or_knots(field, speed.omega, speed.profile);
+    constexpr const char* others = ", or [[time, omega], ...]";
+    if (!table.has(field.key)) return;
+    const TomlValue given = value_of(field);
+    const toml::array* array = given.node.as_array();
+    if (array == nullptr) {
+      speed.omega = number(field, others);
+      return;
+    }
+    const std::string allowed = "a number" + std::string(others);
+    if (array->empty()) given.refuse(allowed);
+    const SceneField time{field.key, "s"};
+    for (const toml::node& element : *array) {
+      const toml::array* knot = element.as_array();
+      if (knot == nullptr || knot->size() != 2) given.refuse(allowed);
+      const double at = number_in({*knot->get(0), time, table}, others);
+      speed.profile.push_back({at, number_in(given.entry(*knot->get(1)), others)});
+    }
   }
-  void operator()(const Field& field, std::optional<double>& x) const {
-    table.number_or(field, open_number, x);
+
+  /// A number, or the word open_number, which leaves it without value.
+  void operator()(const SceneField& field, std::optional<double>& x) const {
+    const toml::node* node = table.find(field.key);
+    if (node == nullptr) return;
+    if (node->is_string() && node->as_string()->get() == open_number) {
+      x.reset();
+    } else {
+      x = number(field, fmt::format(", or \"{}\"", open_number));
+    }
   }
-  void operator()(const Field& field, bool& x) const { table.boolean(field.key, x); }
-  template <class Enum>
-  void operator()(const Field& field, Enum& x) const {
-    table.choice(field.key, names_of(x), x);
+
+  template <class Choice>
+  void operator()(const SceneField& field, Choice& x) const {
+    FieldReader{table}(field, x);
   }
 };
 
-void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
-  double count = 0;
-  const bool turns = table.has("revolutions");
-  const bool time = table.has("seconds");
+void read_window(const SceneReader& read, const std::string& origin, Scene& scene) {
+  const bool turns = read.table.has("revolutions");
+  const bool time = read.table.has("seconds");
   if (turns == time) {
     throw InputError(origin + ": window: must have one of revolutions and seconds");
   }
-  table.number(turns ? Field{"revolutions", "1"} : Field{"seconds", "s"}, count);
   if (turns) {
-    scene.window = Revolutions{count};
+    scene.window = Revolutions{read.number({"revolutions", "1"})};
   } else {
-    scene.window = Seconds{count};
+    scene.window = Seconds{read.number({"seconds", "s"})};
   }
 }
 
 /// Reads path_radius, which gives centrifugal_mass_radius. If a file gives both, they must agree.
-void read_path_radius(TomlTable& table, const std::string& origin, const Uncertain& uncertain,
-                      Scene& scene) {
-  if (!table.has(path_radius.key)) return;
-  const bool both = table.has("centrifugal_mass_radius");
-  double radius = 0;
-  table.number(path_radius, radius);
-  if (!(radius >= 0 && radius <= largest_number)) {
-    throw InputError(
-        fmt::format("{}: scene.path_radius = {}: must be a finite number >= 0 [m], at most 1e15",
-                    origin, radius));
+void read_path_radius(const SceneReader& read, const std::string& origin, Scene& scene) {
+  if (!read.table.has(path_radius.key)) return;
+  const bool both = read.table.has("centrifugal_mass_radius");
+  const double radius = read.number(path_radius);
+  if (!contains(path_radius.range, radius)) {
+    throw InputError(fmt::format("{}: scene.path_radius = {}: must be {}", origin, radius,
+                                 in_words(path_radius.range, path_radius.unit)));
   }
   const double product = scene.mass * radius;
   const double given = std::exchange(scene.centrifugal_mass_radius, product);
@@ -83,6 +172,7 @@ void read_path_radius(TomlTable& table, const std::string& origin, const Uncerta
   constexpr double agreement = 1e-6;
   const bool agree =
       std::abs(given - product) <= agreement * std::max(std::abs(given), std::abs(product));
+  const Uncertain& uncertain = read.uncertain;
   const bool is_uncertain =
       std::any_of(uncertain.found.begin(), uncertain.found.end(),
                   [](const Uncertainty& u) { return u.key == "scene.centrifugal_mass_radius"; });
@@ -108,29 +198,26 @@ void refuse_unknown_tables(const toml::table& file, const std::string& origin) {
 /// Reads a scene, each uncertain number at its share.
 Scene scene_of(const toml::table& file, const std::string& origin, Uncertain& uncertain) {
   refuse_unknown_tables(file, origin);
-  const auto table = [&](const char* name) { return TomlTable(file, name, origin, uncertain); };
-  TomlTable scene = table("scene");
-  TomlTable across = table("across");
-  TomlTable window = table("window");
-  TomlTable count = table("count");
-  TomlTable model = table("model");
-  if (!scene.exists()) throw InputError(origin + ": the table [scene] is missing");
-  if (!window.exists()) throw InputError(origin + ": the table [window] is missing");
-  count.renamed("slowest", "counting_limit");
-  // An unknown key is usually a mistyped one: it must be told before the missing key that it is.
-  for (TomlTable* each : {&scene, &across, &window, &count, &model}) {
-    for (const auto& [name, keys] : scene_keys()) {
-      if (name == each->name()) each->refuse_others_than(keys);
+  const auto reader = [&](const std::string& name) {
+    return SceneReader{TomlTable(file[name].as_table(), origin, name + "."), uncertain};
+  };
+  const SceneReader model = reader("model");
+  const SceneReader across = reader("across");
+  for (const char* needed : {"scene", "window"}) {
+    if (!file.contains(needed)) {
+      throw InputError(fmt::format("{}: the table [{}] is missing", origin, needed));
     }
   }
+  // An unknown key is usually a mistyped one: it must be told before the missing key that it is.
+  for (const auto& [name, keys] : scene_keys()) reader(name).table.refuse_others_than(keys);
   Scene result;
-  visit_scene_fields(FieldReader{scene}, result);
-  read_path_radius(scene, origin, uncertain, result);
-  if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
-  read_window(window, origin, result);
-  visit_count_fields(FieldReader{count}, result);
-  visit_model_fields(FieldReader{model}, result);
-  if (result.contact_law == ContactLaw::kelvin_voigt && !model.has("contact_exponent")) {
+  visit_scene_fields(reader("scene"), result);
+  read_path_radius(reader("scene"), origin, result);
+  if (across.table.exists()) visit_across_fields(across, result.across.emplace());
+  read_window(reader("window"), origin, result);
+  visit_count_fields(reader("count"), result);
+  visit_model_fields(model, result);
+  if (result.contact_law == ContactLaw::kelvin_voigt && !model.table.has("contact_exponent")) {
     result.contact_exponent = 1;
   }
   check(result, origin);
@@ -157,6 +244,9 @@ void check_ends(const toml::table& file, const std::string& origin,
 
 SceneFile scene_file_of(toml::table file, std::string origin,
                         const std::vector<std::string>& settings) {
+  if (toml::table* count = file["count"].as_table()) {
+    rename_key(*count, "slowest", "counting_limit", origin + ": count.");
+  }
   for (const std::string& setting : settings) {
     apply_setting(file, setting);
     origin += fmt::format("{} --set {}", &setting == &settings.front() ? " with" : "", setting);
@@ -195,54 +285,37 @@ Scene read_scene(const std::string& path) {
 
 namespace {
 
-std::string_view range_text(Range range) {
-  switch (range) {
-    case Range::positive:
-      return "> 0";
-    case Range::not_negative:
-    case Range::frequency:
-      return ">= 0";
-    case Range::fraction:
-      return "0..1";
-    case Range::any:
-    case Range::finite:
-    case Range::by_rule:
-      return "";
-  }
-  return "";
-}
-
 /// Writes the fields of a table, one line each.
-struct FieldWriter {
+struct SceneWriter {
   std::string& text;
 
   /// Unit, allowed range and meaning.
-  static std::string comment(const Field& field) {
+  static std::string comment(const SceneField& field) {
     std::string text = field.unit == "1" ? "" : std::string(field.unit);
     const auto append = [&text](std::string_view separator, std::string_view part) {
       if (!part.empty()) text += fmt::format("{}{}", text.empty() ? "" : separator, part);
     };
-    append(" ", range_text(field.range));
+    append(" ", field.range.brief);
     append(": ", field.remark);
     return text;
   }
-  void line(const Field& field, std::string_view value, std::string_view comment) const {
+  void line(const SceneField& field, std::string_view value, std::string_view comment) const {
     text += fmt::format("{} = {}{}{}\n", field.key, value, comment.empty() ? "" : "  # ", comment);
   }
 
-  void operator()(const Field& field, double x) const {
+  void operator()(const SceneField& field, double x) const {
     line(field, toml_float(x), comment(field));
   }
-  void operator()(const Field& field, Walls<const double> x) const {
+  void operator()(const SceneField& field, Walls<const double> x) const {
     if (x.lower == x.upper) return (*this)(field, x.lower);
     for (const auto& [wall, number] : {std::pair("lower", x.lower), std::pair("upper", x.upper)}) {
       const std::string key = fmt::format("{}_{}", field.key, wall);
-      Field one = field;
+      SceneField one = field;
       one.key = key;
       (*this)(one, number);
     }
   }
-  void operator()(const Field& field,
+  void operator()(const SceneField& field,
                   PlateSpeed<const double, const std::vector<SpeedKnot<double>>> speed) const {
     if (speed.profile.empty()) return (*this)(field, speed.omega);
     std::vector<std::string> knots;
@@ -251,16 +324,13 @@ struct FieldWriter {
     }
     line(field, fmt::format("[{}]", fmt::join(knots, ", ")), "s, " + comment(field));
   }
-  void operator()(const Field& field, const std::optional<double>& x) const {
+  void operator()(const SceneField& field, const std::optional<double>& x) const {
     if (x) return (*this)(field, *x);
     line(field, fmt::format("\"{}\"", open_number), "");
   }
-  void operator()(const Field& field, bool x) const {
-    line(field, x ? "true" : "false", comment(field));
-  }
-  template <class Enum>
-  void operator()(const Field& field, Enum x) const {
-    line(field, fmt::format("\"{}\"", name_of(names_of(x), x)), comment(field));
+  template <class Choice>
+  void operator()(const SceneField& field, Choice x) const {
+    line(field, toml_text(x), comment(field));
   }
 };
 
@@ -268,7 +338,7 @@ struct FieldWriter {
 
 std::string write_scene(const Scene& scene) {
   std::string text = "[scene]\n";
-  const FieldWriter write{text};
+  const SceneWriter write{text};
   visit_scene_fields(write, scene);
   if (scene.across) {
     text += "\n[across]  # the second direction, y\n";
@@ -330,7 +400,6 @@ void remove_alternatives(toml::table& table, const std::string& key) {
       {"centrifugal_mass_radius", "path_radius"},
       {"revolutions", "seconds"},
       {"seconds", "revolutions"},
-      {"counting_limit", "slowest"},
       {"restitution", "restitution_lower"},
       {"restitution", "restitution_upper"}};
   for (const auto& [set, other] : alternatives) {

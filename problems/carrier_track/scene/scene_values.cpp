@@ -82,7 +82,7 @@ class FieldPerturbation {
  public:
   FieldPerturbation(double stride, double sign) : stride_(stride), sign_(sign) {}
 
-  void change(const Field& field, double& x) {
+  void change(const SceneField& field, double& x) {
     switch (field.perturbation) {
       case Perturbation::relative:
         x *= 1 + next();
@@ -100,20 +100,20 @@ class FieldPerturbation {
         break;
     }
   }
-  void change(const Field& field, Walls<double> x) {
+  void change(const SceneField& field, Walls<double> x) {
     change(field, x.lower);
     change(field, x.upper);
   }
   template <class Knots>
-  void change(const Field& field, PlateSpeed<double, Knots> speed) {
+  void change(const SceneField& field, PlateSpeed<double, Knots> speed) {
     change(field, speed.omega);
     for (auto& knot : speed.profile) change(field, knot.omega);
   }
-  void change(const Field& field, std::optional<double>& x) {
+  void change(const SceneField& field, std::optional<double>& x) {
     if (x) change(field, *x);
   }
   template <class Choice>
-  void change(const Field& /*field*/, Choice& /*x*/) {}
+  void change(const SceneField& /*field*/, Choice& /*x*/) {}
 
   /// Changes two walls and a start position. A start on a wall stays on it.
   void change_track(double& lower, double& upper, double& start) {
@@ -148,7 +148,7 @@ class FieldPerturbation {
 Scene perturbed(Scene scene, double stride, double sign) {
   FieldPerturbation perturbation(stride, sign);
   const auto early = [&perturbation](auto& owner) {
-    return [&](const Field& field, auto&& x) {
+    return [&](const SceneField& field, auto&& x) {
       if (field.perturbation == Perturbation::track) {
         perturbation.change_track(owner.wall_lower, owner.wall_upper, owner.start_position);
       } else if (field.perturbation != Perturbation::late_angle) {
@@ -156,12 +156,12 @@ Scene perturbed(Scene scene, double stride, double sign) {
       }
     };
   };
-  visit_fields(early(scene), scene);
+  visit_flat_fields(early(scene), scene);
   if (scene.across) visit_across_fields(early(*scene.across), *scene.across);
-  const auto late = [&perturbation](const Field& field, auto&& x) {
+  const auto late = [&perturbation](const SceneField& field, auto&& x) {
     if (field.perturbation == Perturbation::late_angle) perturbation.change(field, x);
   };
-  visit_fields(late, scene);
+  visit_flat_fields(late, scene);
   return scene;
 }
 

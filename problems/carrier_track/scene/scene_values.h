@@ -16,7 +16,7 @@ namespace ricochet::carrier_track::inline scene {
 /// Copies a field of a scene into a scene of another scalar type.
 struct LiftField {
   template <class From, class To>
-  void operator()(const Field& /*field*/, const From& from, To& to) const {
+  void operator()(const SceneField& /*field*/, const From& from, To& to) const {
     if constexpr (std::same_as<From, To>) {
       to = from;
     } else {
@@ -24,12 +24,12 @@ struct LiftField {
     }
   }
   template <class To>
-  void operator()(const Field& field, Walls<const double> from, Walls<To> to) const {
+  void operator()(const SceneField& field, Walls<const double> from, Walls<To> to) const {
     (*this)(field, from.lower, to.lower);
     (*this)(field, from.upper, to.upper);
   }
   template <class To, class From, class Lifted>
-  void operator()(const Field& field, PlateSpeed<const double, From> from,
+  void operator()(const SceneField& field, PlateSpeed<const double, From> from,
                   PlateSpeed<To, Lifted> to) const {
     (*this)(field, from.omega, to.omega);
     for (const auto& knot : from.profile) {
@@ -42,7 +42,7 @@ struct LiftField {
 template <class Scalar>
 BasicScene<Scalar> lifted(const Scene& scene) {
   BasicScene<Scalar> result;
-  visit_fields(LiftField{}, scene, result);
+  visit_flat_fields(LiftField{}, scene, result);
   result.window = scene.window;
   if (scene.across) visit_across_fields(LiftField{}, *scene.across, result.across.emplace());
   return result;

@@ -12,64 +12,50 @@
 #include "ricochet/error.h"
 #include "ricochet/run.h"
 #include "src/core/instance.h"
-#include "src/core/toml.h"
+#include "src/core/toml_fields.h"
 
 namespace ricochet::carrier_track::inline problems {
 
+template <class Visit, IsOf<BestKnown>... B>
+void visit_fields(const Visit& visit, B&... b) {
+  using enum Presence;
+  visit(Field{"value", "1", "", {}, required}, b.value...);
+  visit(Field{"point", "1", "", {}, required}, b.point...);
+  visit(Field{"provenance", "", "", {}, required}, b.provenance...);
+}
+
 namespace {
 
-BestKnown best_of(const toml::table& table, const InputError& error) {
-  const auto value = table["value"].value<double>();
-  const auto provenance = table["provenance"].value<std::string>();
-  const toml::array* point = table["point"].as_array();
-  if (!value || !provenance || point == nullptr) throw error;
-  BestKnown best{*value, Vector(static_cast<Eigen::Index>(point->size())), *provenance};
-  for (Eigen::Index i = 0; i < best.point.size(); ++i) {
-    const auto coordinate = point->get(static_cast<std::size_t>(i))->value<double>();
-    if (!coordinate) throw error;
-    best.point[i] = *coordinate;
-  }
-  return best;
+/// A file of best values.
+struct BestValuesFile {
+  int suite = 1;
+  BestValues values;
+};
+
+template <class Visit, IsOf<BestValuesFile>... F>
+void visit_fields(const Visit& visit, F&... f) {
+  visit(Field{"suite", "1", "", whole_number(1)}, f.suite...);
+  visit(Field{"machine", "", "", {}, Presence::required}, f.values.machine...);
+  visit(Field{other_keys}, f.values.of...);
 }
 
 }  // namespace
 
 BestValues parse_best_values(const std::string& text, const std::string& origin) {
-  const toml::table file = parse_toml(text, origin);
-  const auto suite = file["suite"].value<int>();
+  const toml::table table = parse_toml(text, origin);
+  const auto suite = table["suite"].value<int>();
   if (suite != suite_version) {
     throw InputError(
         fmt::format("{}: best values of version {} of the suite; this is version {}: "
                     "search them again by ricochet best-values",
                     origin, suite.value_or(1), suite_version));
   }
-  const auto machine = file["machine"].value<std::string>();
-  if (!machine) throw InputError(origin + ": machine must be there, as a text");
-  BestValues values{*machine, {}};
-  for (const auto& [key, node] : file) {
-    if (key.str() == "suite" || key.str() == "machine") continue;
-    const InputError error(
-        fmt::format("{}: {}: must be a table of value, point and provenance", origin, key.str()));
-    const toml::table* table = node.as_table();
-    if (table == nullptr) throw error;
-    values.of.emplace(key.str(), best_of(*table, error));
-  }
-  return values;
+  return fields_from<BestValuesFile>(TomlTable(&table, origin)).values;
 }
 
 std::string write_best_values(const BestValues& values) {
-  std::string text = fmt::format(
-      "# The best values known, from `ricochet best-values`.\nsuite = {}\nmachine = \"{}\"\n",
-      suite_version, values.machine);
-  for (const auto& [name, best] : values.of) {
-    std::string point;
-    for (const double x : best.point) {
-      point += fmt::format("{}{}", point.empty() ? "" : ", ", toml_float(x));
-    }
-    text += fmt::format("\n[{}]\nvalue = {}\npoint = [{}]\nprovenance = \"{}\"\n", name,
-                        toml_float(best.value), point, best.provenance);
-  }
-  return text;
+  return "# The best values known, from `ricochet best-values`.\n" +
+         toml_of_fields(BestValuesFile{suite_version, values});
 }
 
 const BestValues& best_values() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <utility>
 
 #include "embedded/hard_machines_text.h"
@@ -10,44 +11,69 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
-#include "src/core/toml.h"
+#include "src/core/toml_fields.h"
 
 namespace ricochet::carrier_track::inline problems {
 
 namespace {
 
-/// Reads the required values of a table.
-class Entry {
- public:
-  Entry(const toml::table& table, std::string place) : table_(table), place_(std::move(place)) {}
+/// A scene as the text of its own file, within another one.
+template <class Text>
+struct SceneText {
+  Text& scene;
 
-  const std::string& place() const { return place_; }
-
-  template <class Value>
-  Value get(const char* key) const {
-    const auto found = table_[key].value<Value>();
-    if (!found) throw InputError(fmt::format("{}: {} is missing or not of its kind", place_, key));
-    return *found;
+  bool operator==(const SceneText& other) const {
+    return write_scene(scene) == write_scene(other.scene);
   }
+};
+template <class Text>
+SceneText(Text&) -> SceneText<Text>;
 
- private:
-  const toml::table& table_;
-  std::string place_;
+void read_value(const TomlValue& value, SceneText<Scene> target) {
+  std::string text;
+  read_value(value, text);
+  target.scene =
+      parse_scene(text, fmt::format("{}: {}", value.in.place(), value.in.named(value.field.key)));
+}
+
+std::string toml_text(SceneText<const Scene> value) {
+  return fmt::format("'''\n{}'''", write_scene(value.scene));
+}
+
+}  // namespace
+
+template <class Visit, IsOf<HardMachine>... H>
+void visit_fields(const Visit& visit, H&... h) {
+  const auto text = [](std::string_view key) { return Field{key, "", "", {}, Presence::required}; };
+  const auto number = [](std::string_view key, std::string_view unit, Range range = {}) {
+    return Field{key, unit, "", range, Presence::required};
+  };
+  visit(text("around"), h.around...);
+  visit(number("draw", "1", whole_number(0)), h.draw...);
+  visit(number("quiet_limit", "1"), h.machine.quiet_limit...);
+  visit(number("best_speed", "rad/s"), h.best.point[0]...);
+  visit(text("provenance"), h.best.provenance...);
+  visit(number("quiet_intervals", "1", whole_number(0)), h.hardness.quiet_intervals...);
+  visit(number("first_end", "rad/s"), h.hardness.first_end...);
+  visit(number("last_begin", "rad/s"), h.hardness.last_begin...);
+  visit(number("loud_before", "rad/s"), h.hardness.loud_before...);
+  visit(number("bisection_gap", "rad/s"), h.hardness.bisection_gap...);
+  visit(number("bisection_share", "1"), h.hardness.bisection_share...);
+  visit(text("scene"), SceneText{h.machine.scene}...);
+}
+
+namespace {
+
+/// A file of hard machines, by their numbers.
+struct HardMachinesFile {
+  Scene constants;
+  std::map<std::string, HardMachine> machines = {};
 };
 
-HardMachine hard_machine_of(const std::string& id, const Entry& entry) {
-  HardMachine hard;
-  hard.around = entry.get<std::string>("around");
-  hard.draw = entry.get<int>("draw");
-  hard.machine.id = id;
-  hard.machine.scene = parse_scene(entry.get<std::string>("scene"), entry.place());
-  hard.machine.quiet_limit = entry.get<double>("quiet_limit");
-  const auto speed = entry.get<double>("best_speed");
-  hard.best = {-speed, Vector::Constant(1, speed), entry.get<std::string>("provenance")};
-  hard.hardness = {entry.get<int>("quiet_intervals"),  entry.get<double>("first_end"),
-                   entry.get<double>("last_begin"),    entry.get<double>("loud_before"),
-                   entry.get<double>("bisection_gap"), entry.get<double>("bisection_share")};
-  return hard;
+template <class Visit, IsOf<HardMachinesFile>... F>
+void visit_fields(const Visit& visit, F&... f) {
+  visit(Field{"constants", "", "", {}, Presence::required}, SceneText{f.constants}...);
+  visit(Field{other_keys}, f.machines...);
 }
 
 }  // namespace
@@ -57,39 +83,24 @@ double quiet_interval_share(const HardMachine& hard) {
 }
 
 HardMachines parse_hard_machines(const std::string& text, const std::string& origin) {
-  const toml::table file = parse_toml(text, origin);
-  HardMachines found{parse_scene(Entry(file, origin).get<std::string>("constants"), origin), {}};
-  for (const auto& [key, node] : file) {
-    if (key == "constants") continue;
-    const std::string id(key.str());
-    const std::string place = fmt::format("{}: {}", origin, id);
-    const toml::table* table = node.as_table();
-    if (table == nullptr) throw InputError(place + ": must be a table");
-    found.machines.push_back(hard_machine_of(id, Entry(*table, place)));
+  auto file = fields_from<HardMachinesFile>(text, origin);
+  HardMachines found{file.constants, {}};
+  for (auto& [id, hard] : file.machines) {
+    hard.machine.id = id;
+    hard.best.value = -hard.best.point[0];
+    found.machines.push_back(std::move(hard));
   }
   return found;
 }
 
 std::string write_hard_machines(const HardMachines& found) {
-  std::string text =
-      "# Machines that are quiet again far beyond their first loud speed, the hardest first: from\n"
-      "# `ricochet best-values --hard-machines`. Speeds in rad/s; what each line means: "
-      "hard_machines.h.\n";
-  text += fmt::format("\nconstants = '''\n{}'''\n", write_scene(found.constants));
-  for (const HardMachine& hard : found.machines) {
-    const Hardness& h = hard.hardness;
-    text += fmt::format("\n[{}]\naround = \"{}\"\ndraw = {}\nquiet_limit = {}\n", hard.machine.id,
-                        hard.around, hard.draw, toml_float(hard.machine.quiet_limit));
-    text += fmt::format("best_speed = {}\nprovenance = \"{}\"\n", toml_float(hard.best.point[0]),
-                        hard.best.provenance);
-    text += fmt::format("quiet_intervals = {}\nfirst_end = {}\nlast_begin = {}\nloud_before = {}\n",
-                        h.quiet_intervals, toml_float(h.first_end), toml_float(h.last_begin),
-                        toml_float(h.loud_before));
-    text += fmt::format("bisection_gap = {}\nbisection_share = {}\nscene = '''\n{}'''\n",
-                        toml_float(h.bisection_gap), toml_float(h.bisection_share),
-                        write_scene(hard.machine.scene));
-  }
-  return text;
+  HardMachinesFile file{found.constants};
+  for (const HardMachine& hard : found.machines) file.machines[hard.machine.id] = hard;
+  return "# Machines that are quiet again far beyond their first loud speed, the hardest first: "
+         "from\n"
+         "# `ricochet best-values --hard-machines`. Speeds in rad/s; what each line means: "
+         "hard_machines.h.\n\n" +
+         toml_of_fields(file);
 }
 
 const HardMachines& found_hard_machines() {

@@ -30,7 +30,7 @@ struct HardMachine {
   std::string around;  ///< the case whose constants it was drawn around
   int draw = 0;        ///< the number of that draw
   Machine machine;     ///< "01", "02", ..., the hardest first
-  BestKnown best;      ///< of the fastest quiet speed
+  BestKnown best = {.value = 0, .point = Vector::Zero(1), .provenance = ""};  ///< its speed
   Hardness hardness;
 };
 

@@ -25,40 +25,40 @@ struct Leader {
   std::int64_t of;             ///< problems
   std::optional<bool> easy;    ///< too easy to name one
 };
-RICOCHET_READ_FROM_JSON(Leader, family, solver, formulation, budget, best, of, easy);
+RICOCHET_FIELDS(Leader, family, solver, formulation, budget, best, of, easy);
 
 struct Sized {
   double variables;
 };
-RICOCHET_READ_FROM_JSON(Sized, variables);
+RICOCHET_FIELDS(Sized, variables);
 
 struct PageData {
   std::optional<std::vector<Sized>> problems;
 };
-RICOCHET_READ_FROM_JSON(PageData, problems);
+RICOCHET_FIELDS(PageData, problems);
 
 struct Page {
   std::string folder;  ///< for a family's page: the family's name
   PageData data;
 };
-RICOCHET_READ_FROM_JSON(Page, folder, data);
+RICOCHET_FIELDS(Page, folder, data);
 
 struct Change {
   std::string family, changed, setting;
   std::optional<double> returned;
 };
-RICOCHET_READ_FROM_JSON(Change, family, changed, setting, returned);
+RICOCHET_FIELDS(Change, family, changed, setting, returned);
 
 struct FamilyName {
   std::string family;
 };
-RICOCHET_READ_FROM_JSON(FamilyName, family);
+RICOCHET_FIELDS(FamilyName, family);
 
 struct SolverShares {
   std::string solver;
   std::vector<Json> shares;  ///< one for each family; null if the solver takes none of its problems
 };
-RICOCHET_READ_FROM_JSON(SolverShares, solver, shares);
+RICOCHET_FIELDS(SolverShares, solver, shares);
 
 struct Comparison {
   std::vector<Leader> leaders;
@@ -67,18 +67,18 @@ struct Comparison {
   std::vector<FamilyName> families;
   std::vector<SolverShares> map;
 };
-RICOCHET_READ_FROM_JSON(Comparison, leaders, pages, changes, families, map);
+RICOCHET_FIELDS(Comparison, leaders, pages, changes, families, map);
 
 struct Link {
   std::string text, to;
 };
-RICOCHET_WRITTEN_AS_JSON(Link, text, to);
+RICOCHET_FIELDS(Link, text, to);
 
 struct Answer {
   std::string problem, answer;
   std::vector<Link> links;
 };
-RICOCHET_WRITTEN_AS_JSON(Answer, problem, answer, links);
+RICOCHET_FIELDS(Answer, problem, answer, links);
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
@@ -219,7 +219,7 @@ struct FirstEntry {
   std::optional<double> best;         ///< P(best); nothing for one problem
   std::optional<std::int64_t> problems;
 };
-RICOCHET_READ_FROM_JSON(FirstEntry, family, largest, solver, returned, best, problems);
+RICOCHET_FIELDS(FirstEntry, family, largest, solver, returned, best, problems);
 
 /// P(best) of an entry that is worth naming; 0 of others.
 double certainty_of(const FirstEntry& entry) {

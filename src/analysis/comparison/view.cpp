@@ -42,20 +42,20 @@ struct ViewFamily {
   bool suite;                         ///< `ricochet solve` knows its problems
   std::vector<std::size_t> problems = {};
 };
-RICOCHET_WRITTEN_AS_JSON(ViewFamily, family, part, joint, suite, problems);
+RICOCHET_FIELDS(ViewFamily, family, part, joint, suite, problems);
 
 struct ViewProblem {
   std::string problem;
   std::int64_t variables, constraints;
   std::size_t targets;
 };
-RICOCHET_WRITTEN_AS_JSON(ViewProblem, problem, variables, constraints, targets);
+RICOCHET_FIELDS(ViewProblem, problem, variables, constraints, targets);
 
 struct ViewSolver {
   std::string solver;
   bool outside;  ///< none of the suite: `ricochet solve` does not know it by this name
 };
-RICOCHET_WRITTEN_AS_JSON(ViewSolver, solver, outside);
+RICOCHET_FIELDS(ViewSolver, solver, outside);
 
 struct ViewEntry {
   std::size_t family, perturbation, price;
@@ -64,8 +64,8 @@ struct ViewEntry {
   int instances, seeds;
   std::string problems = {}, missing = {}, times = {}, spent = {}, repeats = {};
 };
-RICOCHET_WRITTEN_AS_JSON(ViewEntry, family, perturbation, price, budget, solver, formulation,
-                         instances, seeds, problems, missing, times, spent, repeats);
+RICOCHET_FIELDS(ViewEntry, family, perturbation, price, budget, solver, formulation, instances,
+                seeds, problems, missing, times, spent, repeats);
 
 /// A row of the table for readers.
 struct ViewContents {
@@ -74,8 +74,8 @@ struct ViewContents {
   std::string budgets, perturbations, prices;
   std::size_t runs;
 };
-RICOCHET_WRITTEN_AS_JSON(ViewContents, family, part, variables, problems, entries, budgets,
-                         perturbations, prices, runs);
+RICOCHET_FIELDS(ViewContents, family, part, variables, problems, entries, budgets, perturbations,
+                prices, runs);
 
 /// A part of the plan, and a family by its own name.
 using Asked = std::pair<std::size_t, std::string>;

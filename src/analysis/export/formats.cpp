@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <concepts>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ricochet/evaluator.h"
@@ -16,7 +19,15 @@
 #include "src/core/csv.h"
 #include "src/core/names.h"
 #include "src/experiment/run_rows.h"
+#include "src/experiment/stored_fields.h"
 #include "src/report/json.h"
+
+namespace ricochet {
+
+RICOCHET_FIELDS(Verdict, feasible, objective, optimality_gap, solved, evaluations_to_solve,
+                seconds_to_solve, returned_optimality_gap, returned_solved);
+
+}  // namespace ricochet
 
 namespace ricochet::exports {
 
@@ -51,11 +62,6 @@ std::vector<Format> all_formats() {
 }
 
 namespace {
-
-struct Column {
-  const char* name;
-  std::function<std::string(const comparison::JudgedRun&)> value;
-};
 
 constexpr const char* csv_readme =
     R"(The stored runs of a campaign of ricochet, as CSV (RFC 4180, lines end with a line feed, UTF-8).
@@ -93,16 +99,24 @@ if the problem's hash is the same.
 For Parquet, use DuckDB: COPY 'runs.csv' TO 'runs.parquet'.
 )";
 
-std::string yes_or_no(bool value) {
+std::string cell_of(bool value) {
   return value ? "1" : "0";
 }
-
-template <class Integer>
-std::string whole(const std::optional<Integer>& value) {
-  return value ? std::to_string(*value) : "";
+std::string cell_of(double value) {
+  return number(value);
 }
-
-std::string terminations(const std::vector<SolverTermination>& terminations) {
+std::string cell_of(const std::string& text) {
+  return label_of(text);
+}
+template <std::integral Integer>
+std::string cell_of(Integer value) {
+  return std::to_string(value);
+}
+template <class T>
+std::string cell_of(const std::optional<T>& value) {
+  return value ? cell_of(*value) : "";
+}
+std::string cell_of(const std::vector<SolverTermination>& terminations) {
   std::string text;
   for (const RepeatedTermination& exit : repeated(terminations)) {
     text += fmt::format("{}{} (x{})", text.empty() ? "" : "; ", exit.reason, exit.starts);
@@ -110,64 +124,42 @@ std::string terminations(const std::vector<SolverTermination>& terminations) {
   return label_of(text);
 }
 
-std::vector<Column> key_and_cost() {
-  using Run = const comparison::JudgedRun&;
-  return {
-      {"number", [](Run r) { return std::to_string(r.stored.number); }},
-      {"problem", [](Run r) { return label_of(r.stored.key.cell.problem); }},
-      {"formulation", [](Run r) { return label_of(r.stored.key.cell.formulation); }},
-      {"perturbation", [](Run r) { return label_of(r.stored.key.cell.perturbation); }},
-      {"solver", [](Run r) { return label_of(r.stored.key.cell.solver); }},
-      {"budget_per_variable", [](Run r) { return std::to_string(r.stored.key.cell.budget); }},
-      {"gradient_price", [](Run r) { return label_of(r.stored.key.cell.gradient_price); }},
-      {"instance", [](Run r) { return std::to_string(r.stored.key.instance); }},
-      {"run", [](Run r) { return std::to_string(r.stored.key.run); }},
-      {"seed", [](Run r) { return std::to_string(r.stored.record.seed); }},
-      {"evaluations_allowed",
-       [](Run r) { return std::to_string(r.stored.record.budget.evaluations); }},
-      {"seconds_allowed", [](Run r) { return number(r.stored.record.budget.seconds); }},
-      {"values", [](Run r) { return std::to_string(r.stored.record.ledger.values); }},
-      {"derivatives", [](Run r) { return std::to_string(r.stored.record.ledger.derivatives); }},
-      {"hessians", [](Run r) { return std::to_string(r.stored.record.ledger.hessians); }},
-      {"charged", [](Run r) { return std::to_string(r.stored.record.ledger.charged); }},
-      {"refused", [](Run r) { return std::to_string(r.stored.record.ledger.refused); }},
-      {"seconds", [](Run r) { return number(r.stored.record.ledger.seconds); }},
-      {"termination_reason",
-       [](Run r) { return std::string(name_of(r.stored.record.termination_reason)); }},
-      {"failure", [](Run r) { return label_of(r.stored.record.failure); }},
-      {"terminations", [](Run r) { return terminations(r.stored.record.terminations); }},
-  };
+/// Calls use(column, text) for every column of runs.csv.
+template <class Use>
+void each_cell(const comparison::JudgedRun& run, const Use& use) {
+  const RunRecord& record = run.stored.record;
+  const auto field = [&](const Field& column, const auto& x) { use(column.key, cell_of(x)); };
+  use("number", cell_of(run.stored.number));
+  visit_fields(field, run.stored.key);
+  use("seed", cell_of(record.seed));
+  use("evaluations_allowed", cell_of(record.budget.evaluations));
+  use("seconds_allowed", cell_of(record.budget.seconds));
+  visit_fields(field, record.ledger);
+  use("termination_reason", std::string(name_of(record.termination_reason)));
+  use("failure", cell_of(record.failure));
+  use("terminations", cell_of(record.terminations));
+  std::optional<double> objective, violation;
+  if (record.returned) {
+    objective = record.returned->true_values.objective;
+    violation = record.returned->true_values.violation;
+  }
+  visit_fields(
+      [&](const Field& column, const auto& x) {
+        if (column.key == "returned_optimality_gap") {
+          use("returned_objective", cell_of(objective));
+          use("returned_violation", cell_of(violation));
+        }
+        field(column, x);
+      },
+      run.outcome.verdict);
 }
 
-std::vector<Column> verdict() {
-  using Run = const comparison::JudgedRun&;
-  return {
-      {"feasible", [](Run r) { return yes_or_no(r.outcome.verdict.feasible); }},
-      {"objective", [](Run r) { return number(r.outcome.verdict.objective); }},
-      {"optimality_gap", [](Run r) { return number(r.outcome.verdict.optimality_gap); }},
-      {"solved", [](Run r) { return yes_or_no(r.outcome.verdict.solved); }},
-      {"evaluations_to_solve", [](Run r) { return whole(r.outcome.verdict.evaluations_to_solve); }},
-      {"seconds_to_solve", [](Run r) { return number(r.outcome.verdict.seconds_to_solve); }},
-      {"returned_objective",
-       [](Run r) {
-         const auto& returned = r.stored.record.returned;
-         return returned ? number(returned->true_values.objective) : "";
-       }},
-      {"returned_violation",
-       [](Run r) {
-         const auto& returned = r.stored.record.returned;
-         return returned ? number(returned->true_values.violation) : "";
-       }},
-      {"returned_optimality_gap",
-       [](Run r) { return number(r.outcome.verdict.returned_optimality_gap); }},
-      {"returned_solved", [](Run r) { return yes_or_no(r.outcome.verdict.returned_solved); }},
-  };
-}
-
-std::vector<Column> run_columns() {
-  std::vector<Column> columns = key_and_cost();
-  for (Column& column : verdict()) columns.push_back(std::move(column));
-  return columns;
+std::vector<std::string> columns_of_runs() {
+  const StoredRun none{};
+  std::vector<std::string> names;
+  each_cell({StoredProblem(), none, comparison::Outcome()},
+            [&](std::string_view name, const std::string&) { names.emplace_back(name); });
+  return names;
 }
 
 void write_problems(const CampaignDescription& description, const std::filesystem::path& file) {
@@ -175,21 +167,15 @@ void write_problems(const CampaignDescription& description, const std::filesyste
   for (const StoredProblem& problem : description.problems) {
     for (const auto& [name, value] : problem.factors) factors.insert(name);
   }
-  std::vector<std::string> header = {"problem",   "family",      "machine",
-                                     "variables", "constraints", "equalities",
-                                     "tolerance", "best_known",  "hash"};
+  const StoredProblem none;
+  std::vector<std::string> header;
+  visit_columns([&](const Field& column, const auto&) { header.emplace_back(column.key); }, none);
+  header.front() = "problem";
   for (const std::string& factor : factors) header.push_back(one_line(factor));
   std::string text = csv_row(header);
   for (const StoredProblem& problem : description.problems) {
-    std::vector<std::string> row = {label_of(problem.name),
-                                    label_of(problem.family),
-                                    label_of(problem.machine),
-                                    std::to_string(problem.variables),
-                                    std::to_string(problem.constraints),
-                                    std::to_string(problem.equalities),
-                                    number(problem.tolerance),
-                                    number(problem.best_known),
-                                    problem.hash};
+    std::vector<std::string> row;
+    visit_columns([&](const Field&, const auto& x) { row.push_back(cell_of(x)); }, problem);
     for (const std::string& factor : factors) {
       const auto value = problem.factors.find(factor);
       row.push_back(value == problem.factors.end() ? "" : number(value->second));
@@ -249,19 +235,17 @@ class Points {
 
 void write_csv(const Store& store, const Completeness& completeness,
                const std::filesystem::path& folder) {
-  const std::vector<Column> columns = run_columns();
-  std::vector<std::string> fields;
-  for (const Column& column : columns) fields.emplace_back(column.name);
   OutputFile runs(folder / "runs.csv");
-  runs.write(csv_row(fields));
+  runs.write(csv_row(columns_of_runs()));
   OutputFile improvements(folder / "improvements.csv");
   improvements.write(csv_row({"number", "evaluations", "seconds", "objective", "violation"}));
   Points points(store.description(), folder / "points.csv");
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   const auto write_run = [&](const comparison::JudgedRun& run) {
-    for (std::size_t k = 0; k < columns.size(); ++k) fields[k] = columns[k].value(run);
-    runs.write(csv_row(fields));
+    std::vector<std::string> row;
+    each_cell(run, [&](std::string_view, std::string text) { row.push_back(std::move(text)); });
+    runs.write(csv_row(row));
     points.add(run.stored);
     for (const Improvement& step : run.stored.record.trace) {
       improvements.write(
@@ -326,60 +310,34 @@ Json list(const Vector& x) {
   return Json(std::vector<double>(x.begin(), x.end()));
 }
 
-Json json_of(const StoredProblem& problem) {
-  return {{"name", label(problem.name)},
-          {"family", problem.family},
-          {"machine", problem.machine},
-          {"variables", problem.variables},
-          {"constraints", problem.constraints},
-          {"equalities", problem.equalities},
-          {"tolerance", problem.tolerance},
-          {"best_known", problem.best_known},
-          {"hash", problem.hash},
-          {"factors", problem.factors}};
+Json json_of(StoredProblem problem) {
+  problem.name = label(problem.name);
+  Json data(problem);
+  data.erase("findings");
+  return data;
+}
+
+Json json_of(StoredSolver solver) {
+  solver.name = label(solver.name);
+  return Json(solver);
 }
 
 Json json_of(const CampaignDescription& description) {
-  return {
-      {"plan", description.plan},
-      {"problems",
-       report::list_of(description.problems, [](const StoredProblem& q) { return json_of(q); })},
-      {"solvers",
-       report::list_of(
-           description.solvers,
-           [](const StoredSolver& s) {
-             return Json{{"name", label(s.name)}, {"version", s.version}, {"content", s.content}};
-           })},
-      {"program", description.program},
-      {"made", description.made}};
+  return {{"plan", description.plan},
+          {"problems",
+           report::list_of(description.problems, [](const auto& each) { return json_of(each); })},
+          {"solvers",
+           report::list_of(description.solvers, [](const auto& each) { return json_of(each); })},
+          {"program", description.program},
+          {"made", description.made}};
 }
 
-Json json_of(const RunKey& key) {
-  return {{"problem", label(key.cell.problem)},
-          {"formulation", label(key.cell.formulation)},
-          {"perturbation", label(key.cell.perturbation)},
-          {"solver", label(key.cell.solver)},
-          {"budget_per_variable", key.cell.budget},
-          {"gradient_price", key.cell.gradient_price},
-          {"instance", key.instance},
-          {"run", key.run}};
-}
-
-Json json_of(const Ledger& ledger) {
-  return {{"values", ledger.values},     {"derivatives", ledger.derivatives},
-          {"hessians", ledger.hessians}, {"charged", ledger.charged},
-          {"refused", ledger.refused},   {"seconds", ledger.seconds}};
-}
-
-Json json_of(const Verdict& verdict) {
-  return {{"feasible", verdict.feasible},
-          {"objective", verdict.objective},
-          {"optimality_gap", verdict.optimality_gap},
-          {"solved", verdict.solved},
-          {"evaluations_to_solve", verdict.evaluations_to_solve},
-          {"seconds_to_solve", verdict.seconds_to_solve},
-          {"returned_optimality_gap", verdict.returned_optimality_gap},
-          {"returned_solved", verdict.returned_solved}};
+Json json_of(RunKey key) {
+  for (std::string* name :
+       {&key.cell.problem, &key.cell.formulation, &key.cell.perturbation, &key.cell.solver}) {
+    *name = label(*name);
+  }
+  return Json(key);
 }
 
 Json json_of(const comparison::JudgedRun& run) {
@@ -389,7 +347,7 @@ Json json_of(const comparison::JudgedRun& run) {
                {"seed", record.seed},
                {"evaluations_allowed", record.budget.evaluations},
                {"seconds_allowed", record.budget.seconds},
-               {"ledger", json_of(record.ledger)},
+               {"ledger", record.ledger},
                {"termination_reason", name_of(record.termination_reason)},
                {"failure", record.failure},
                {"terminations",
@@ -397,7 +355,7 @@ Json json_of(const comparison::JudgedRun& run) {
                                 [](const RepeatedTermination& exit) {
                                   return Json{{"reason", exit.reason}, {"starts", exit.starts}};
                                 })},
-               {"verdict", json_of(run.outcome.verdict)}};
+               {"verdict", run.outcome.verdict}};
   data["returned"] = nullptr;
   if (const auto& returned = record.returned) {
     data["returned"] = {{"objective", returned->true_values.objective},

@@ -180,7 +180,7 @@ std::string title_of(const std::string& family, const FamilyTitles& titles) {
 struct TitledFamily {
   std::string name, title;
 };
-RICOCHET_READ_FROM_JSON(TitledFamily, name, title);
+RICOCHET_FIELDS(TitledFamily, name, title);
 
 }  // namespace
 
@@ -233,7 +233,7 @@ struct Simulated {
   std::vector<std::string> names;  ///< of the cases
   std::vector<PairedSimulation> simulations;
 };
-RICOCHET_READ_FROM_JSON(Simulated, family, formulations, tolerance, names, simulations);
+RICOCHET_FIELDS(Simulated, family, formulations, tolerance, names, simulations);
 
 /// Returns the seconds of a simulation from the family's page for this budget; nothing if it is
 /// missing.

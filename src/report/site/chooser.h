@@ -47,12 +47,11 @@ struct Chooser {
   std::vector<Trouble> troubles;
 };
 
-RICOCHET_WRITTEN_AS_JSON(Choice, solver, formulation, gradient, solved, lower, upper, best,
-                         problems);
-RICOCHET_WRITTEN_AS_JSON(Situation, family, title, folder, counts, problems, variables, constraints,
-                         budget, perturbation, runs, random, entries);
-RICOCHET_WRITTEN_AS_JSON(Trouble, perturbation, words);
-RICOCHET_WRITTEN_AS_JSON(Chooser, folder, situations, troubles);
+RICOCHET_FIELDS(Choice, solver, formulation, gradient, solved, lower, upper, best, problems);
+RICOCHET_FIELDS(Situation, family, title, folder, counts, problems, variables, constraints, budget,
+                perturbation, runs, random, entries);
+RICOCHET_FIELDS(Trouble, perturbation, words);
+RICOCHET_FIELDS(Chooser, folder, situations, troubles);
 
 /// Titles of families of problems, by name.
 using FamilyTitles = std::map<std::string, std::string>;
@@ -94,11 +93,10 @@ struct Pairs {
   std::vector<PairedSimulation> simulations;
 };
 
-RICOCHET_WRITTEN_AS_JSON(PairedSolver, solver, formulation, evaluations, own, solved, solved_lower,
-                         solved_upper);
-RICOCHET_JSON(PairedSimulation, simulation, control, reference, seconds, error, error_least);
-RICOCHET_WRITTEN_AS_JSON(Pairs, folder, comparison, family, cases, tolerance, range, solvers,
-                         simulations);
+RICOCHET_FIELDS(PairedSolver, solver, formulation, evaluations, own, solved, solved_lower,
+                solved_upper);
+RICOCHET_FIELDS(PairedSimulation, simulation, control, reference, seconds, error, error_least);
+RICOCHET_FIELDS(Pairs, folder, comparison, family, cases, tolerance, range, solvers, simulations);
 
 /// Combines the simulations of a report that holds "simulations" with the solvers of a comparison
 /// on the same family, with the largest budget. Nothing if one of them is missing. Throws

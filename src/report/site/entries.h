@@ -21,7 +21,7 @@ struct Made {
   std::optional<double> seconds;
   std::optional<bool> quick;
 };
-RICOCHET_JSON(Made, date, seconds, quick);
+RICOCHET_FIELDS(Made, date, seconds, quick);
 
 /// A further page of a report.
 struct FoundPage {
@@ -113,13 +113,13 @@ struct Comparison {
 /// Solvers that charts name wherever they lie: the paper's algorithm, and random search.
 inline constexpr const char* always_named[] = {"fireworks", "random-search"};
 
-RICOCHET_JSON(Extent, least, most);
-RICOCHET_JSON(FamilySize, name, problems, variables, constraints);
-RICOCHET_WRITTEN_AS_JSON(Entry, family, budget, place, of, solver, formulation, outside, best,
-                         targets, lower, upper, returned, never, rank, evaluations, seconds, solved,
-                         solved_lower, solved_upper, error, error_lower, error_upper, complete);
-RICOCHET_WRITTEN_AS_JSON(Curve, family, budget, solver, formulation, points);
-RICOCHET_WRITTEN_AS_JSON(Comparison, folder, families, entries, curves, kinds);
+RICOCHET_FIELDS(Extent, least, most);
+RICOCHET_FIELDS(FamilySize, name, problems, variables, constraints);
+RICOCHET_FIELDS(Entry, family, budget, place, of, solver, formulation, outside, best, targets,
+                lower, upper, returned, never, rank, evaluations, seconds, solved, solved_lower,
+                solved_upper, error, error_lower, error_upper, complete);
+RICOCHET_FIELDS(Curve, family, budget, solver, formulation, points);
+RICOCHET_FIELDS(Comparison, folder, families, entries, curves, kinds);
 
 /// Returns the comparison of a report that holds "entries", with its pages that hold a "family".
 /// Throws Json::exception if their data are of another version.
@@ -225,24 +225,24 @@ struct FamilyData {
   std::vector<BreakEven> break_even_families;
 };
 
-RICOCHET_READ_FROM_JSON(NamedSolver, name, outside, needs, kind);
-RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulation, complete,
-                        problems, evaluations, seconds, share, share_lower, share_upper,
-                        optimality_gap, optimality_gap_lower, optimality_gap_upper);
-RICOCHET_READ_FROM_JSON(LeadingEntry, family, budget, easy, random);
-RICOCHET_READ_FROM_JSON(ComparisonData, runs, solvers, speed_accuracy, leaders);
-RICOCHET_READ_FROM_JSON(FamilyProblem, variables, constraints);
-RICOCHET_READ_FROM_JSON(Rating, solver, formulation, problems, best, share, lower, upper, returned,
-                        never, rank);
-RICOCHET_READ_FROM_JSON(Step, evaluations, share);
-RICOCHET_READ_FROM_JSON(Progress, solver, formulation, progress);
-RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first, paper);
-RICOCHET_READ_FROM_JSON(PerturbationName, perturbation);
-RICOCHET_READ_FROM_JSON(PerturbedEntry, shares, family, solver, formulation, problems,
-                        least_variables, most_variables, runs, budget);
-RICOCHET_READ_FROM_JSON(PerturbedData, perturbation_names, perturbation_rows);
-RICOCHET_READ_FROM_JSON(MeasuredSimulation, simulation);
-RICOCHET_READ_FROM_JSON(BreakEven, budget, here);
-RICOCHET_READ_FROM_JSON(FamilyData, family, problems, budgets, break_even_families);
+RICOCHET_FIELDS(NamedSolver, name, outside, needs, kind);
+RICOCHET_FIELDS(SpeedAccuracy, family, budget, largest, solver, formulation, complete, problems,
+                evaluations, seconds, share, share_lower, share_upper, optimality_gap,
+                optimality_gap_lower, optimality_gap_upper);
+RICOCHET_FIELDS(LeadingEntry, family, budget, easy, random);
+RICOCHET_FIELDS(ComparisonData, runs, solvers, speed_accuracy, leaders);
+RICOCHET_FIELDS(FamilyProblem, variables, constraints);
+RICOCHET_FIELDS(Rating, solver, formulation, problems, best, share, lower, upper, returned, never,
+                rank);
+RICOCHET_FIELDS(Step, evaluations, share);
+RICOCHET_FIELDS(Progress, solver, formulation, progress);
+RICOCHET_FIELDS(RatedBudget, budget, ratings, first, paper);
+RICOCHET_FIELDS(PerturbationName, perturbation);
+RICOCHET_FIELDS(PerturbedEntry, shares, family, solver, formulation, problems, least_variables,
+                most_variables, runs, budget);
+RICOCHET_FIELDS(PerturbedData, perturbation_names, perturbation_rows);
+RICOCHET_FIELDS(MeasuredSimulation, simulation);
+RICOCHET_FIELDS(BreakEven, budget, here);
+RICOCHET_FIELDS(FamilyData, family, problems, budgets, break_even_families);
 
 }  // namespace ricochet::site

@@ -77,15 +77,15 @@ struct Front {
   std::vector<std::pair<std::string, std::string>> unread;
 };
 
-RICOCHET_WRITTEN_AS_JSON(FrontLink, text, folder, anchor);
-RICOCHET_WRITTEN_AS_JSON(FrontCell, text, folder, anchor, left);
-RICOCHET_WRITTEN_AS_JSON(FrontRow, cells);
-RICOCHET_WRITTEN_AS_JSON(FrontColumn, title, left);
-RICOCHET_WRITTEN_AS_JSON(FrontExcerpt, heading, text, links, caption, columns, rows);
-RICOCHET_WRITTEN_AS_JSON(Card, folder, label, title, finding, date, quick, seconds, command);
-RICOCHET_WRITTEN_AS_JSON(FrontCharts, folder, charts);
-RICOCHET_WRITTEN_AS_JSON(Front, answers, speed, solver, own, question, entries, chooser, comparison,
-                         motion, pairs, cards, missing);
+RICOCHET_FIELDS(FrontLink, text, folder, anchor);
+RICOCHET_FIELDS(FrontCell, text, folder, anchor, left);
+RICOCHET_FIELDS(FrontRow, cells);
+RICOCHET_FIELDS(FrontColumn, title, left);
+RICOCHET_FIELDS(FrontExcerpt, heading, text, links, caption, columns, rows);
+RICOCHET_FIELDS(Card, folder, label, title, finding, date, quick, seconds, command);
+RICOCHET_FIELDS(FrontCharts, folder, charts);
+RICOCHET_FIELDS(Front, answers, speed, solver, own, question, entries, chooser, comparison, motion,
+                pairs, cards, missing);
 
 /// Collects the headlines of the reports.
 Front front_of(const std::vector<FoundReport>& reports);

@@ -248,13 +248,13 @@ struct Repeated {
   std::optional<std::string> digest;
   std::optional<std::int64_t> suite;
 };
-RICOCHET_READ_FROM_JSON(Repeated, campaign, runs, digest, suite);
+RICOCHET_FIELDS(Repeated, campaign, runs, digest, suite);
 
 /// How a program was built that made a report.
 struct Build {
   std::optional<std::string> version, compiler, date;
 };
-RICOCHET_READ_FROM_JSON(Build, version, compiler, date);
+RICOCHET_FIELDS(Build, version, compiler, date);
 
 Build build_of(const FoundReport& report) {
   const auto made = report.data.find("made");
@@ -338,7 +338,7 @@ struct Versioned {
   std::string name;
   std::optional<std::string> version;
 };
-RICOCHET_READ_FROM_JSON(Versioned, name, version);
+RICOCHET_FIELDS(Versioned, name, version);
 
 report::Table solvers_table(const FoundReport& comparison) {
   report::Table table{"Versions of the libraries that the solvers are from.",

@@ -31,9 +31,9 @@ struct MachineGrid {
   std::vector<GridLevel> columns;
   std::vector<GridRow> known;
 };
-RICOCHET_READ_FROM_JSON(GridLevel, level);
-RICOCHET_READ_FROM_JSON(GridRow, machine, cells);
-RICOCHET_READ_FROM_JSON(MachineGrid, column, columns, known);
+RICOCHET_FIELDS(GridLevel, level);
+RICOCHET_FIELDS(GridRow, machine, cells);
+RICOCHET_FIELDS(MachineGrid, column, columns, known);
 
 /// Returns the grid of a comparison; nothing if no report has one that can be read.
 std::optional<MachineGrid> machine_grid(const std::vector<FoundReport>& reports);

@@ -10,8 +10,8 @@
 
 namespace ricochet::site {
 
-RICOCHET_READ_FROM_JSON(PaperMachine, id, restitution, friction, disturbance, silent_up_to,
-                        quiet_up_to, paper_threshold);
+RICOCHET_FIELDS(PaperMachine, id, restitution, friction, disturbance, silent_up_to, quiet_up_to,
+                paper_threshold);
 
 namespace {
 
@@ -19,12 +19,12 @@ struct Agreement {
   std::int64_t thresholds;
   double error;
 };
-RICOCHET_READ_FROM_JSON(Agreement, thresholds, error);
+RICOCHET_FIELDS(Agreement, thresholds, error);
 
 struct Fit {
   std::optional<std::int64_t> fitted;
 };
-RICOCHET_READ_FROM_JSON(Fit, fitted);
+RICOCHET_FIELDS(Fit, fitted);
 
 constexpr double shown_to = 14;  ///< [rad/s], at least, of the chart
 constexpr double half_column = 0.42;

@@ -175,7 +175,7 @@ struct SearchEntry {
   std::string page;  ///< seen from the page of the search
   std::string text;
 };
-RICOCHET_WRITTEN_AS_JSON(SearchEntry, title, heading, page, text);
+RICOCHET_FIELDS(SearchEntry, title, heading, page, text);
 
 /// Leads links of a document in docs/NAME to pages of the site.
 class Links {

@@ -44,8 +44,8 @@ struct Appraisal {
   double criterion = 0;              ///< AICc, see below
 };
 
-RICOCHET_WRITTEN_AS_JSON(Appraisal, threshold_error, worst_threshold, within, exact_counts, purity,
-                         misclassified, loudness, right_examples, quiet_share, criterion);
+RICOCHET_FIELDS(Appraisal, threshold_error, worst_threshold, within, exact_counts, purity,
+                misclassified, loudness, right_examples, quiet_share, criterion);
 
 /// Evaluates at speeds `step` [rad/s] apart, up to 18 rad/s.
 ///

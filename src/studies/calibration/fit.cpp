@@ -18,7 +18,7 @@
 #include "src/core/files.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/core/toml.h"
+#include "src/core/toml_fields.h"
 #include "src/studies/paper/loss.h"
 
 namespace ricochet::studies::calibration {
@@ -159,32 +159,35 @@ std::string hash_of(const std::string& text) {
   return fmt::format("{:016x}", hash.value());
 }
 
-template <class Numbers>
-toml::array array_of(const Numbers& numbers) {
-  toml::array array;
-  for (const double number : numbers) array.push_back(number);
-  return array;
+/// A file of fits.
+struct KeptFit {
+  std::string name, options;
+  double loss = 0;
+  Constants constants = {};
+};
+
+template <class Visit, IsOf<KeptFit>... K>
+void visit_fields(const Visit& visit, K&... k) {
+  using enum Presence;
+  visit(Field{"name", "", "", {}, required}, k.name...);
+  visit(Field{"options", "", "", {}, required}, k.options...);
+  visit(Field{"loss", "1", "", {}, required}, k.loss...);
+  visit(Field{"constants", "1", "", {}, required}, k.constants...);
 }
 
-std::optional<std::vector<double>> numbers_in(const toml::array* array) {
-  if (array == nullptr) return std::nullopt;
-  std::vector<double> numbers;
-  for (const toml::node& node : *array) {
-    const auto number = node.value<double>();
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
+struct FitsFile {
+  std::int64_t version = 1;
+  std::string data;
+  std::int64_t fits = -1;
+  std::vector<KeptFit> fit = {};
+};
 
-/// Its constants and its loss.
-std::optional<Fit> fit_in(const toml::table& table) {
-  const auto loss = table["loss"].value<double>();
-  const auto constants = numbers_in(table["constants"].as_array());
-  if (!loss || !constants || constants->size() != unknown_size) return std::nullopt;
-  Fit fit{{}, {}, {}, *loss, ""};
-  std::ranges::copy(*constants, fit.constants.begin());
-  return fit;
+template <class Visit, IsOf<FitsFile>... F>
+void visit_fields(const Visit& visit, F&... f) {
+  visit(Field{"version", "1", "", {}, Presence::stated}, f.version...);
+  visit(Field{"data", "", "", {}, Presence::stated}, f.data...);
+  visit(Field{"fits", "1", "", {}, Presence::stated}, f.fits...);
+  visit(Field{"fit"}, f.fit...);
 }
 
 std::string hash_of_data() {
@@ -193,23 +196,21 @@ std::string hash_of_data() {
 
 /// Throws InputError if the file is of another version, was fitted to other data, or has fewer fits
 /// than it states.
-void check_head(const toml::table& root, std::size_t fits, const std::string& file) {
+void check_head(const FitsFile& fits, const std::string& file) {
   constexpr const char* instead = "remove it, or choose another folder";
-  const auto version = root["version"].value_or<std::int64_t>(1);
-  if (version != suite_version) {
+  if (fits.version != suite_version) {
     throw InputError(
         fmt::format("{}: its fits are of version {} of the suite, this is version {}: {}", file,
-                    version, suite_version, instead));
+                    fits.version, suite_version, instead));
   }
-  const auto data = root["data"].value_or<std::string>("");
-  if (data != hash_of_data()) {
+  if (fits.data != hash_of_data()) {
     throw InputError(
         fmt::format("{}: its fits are to other cases, claims or bounds (hash {}, not {}): {}", file,
-                    data, hash_of_data(), instead));
+                    fits.data, hash_of_data(), instead));
   }
-  const auto size = root["fits"].value_or<std::int64_t>(-1);
-  if (size != static_cast<std::int64_t>(fits)) {
-    throw InputError(fmt::format("{}: has {} of its {} fits: {}", file, fits, size, instead));
+  if (fits.fits != std::ssize(fits.fit)) {
+    throw InputError(
+        fmt::format("{}: has {} of its {} fits: {}", file, fits.fit.size(), fits.fits, instead));
   }
 }
 
@@ -254,25 +255,17 @@ std::string data_hash(const std::vector<Case>& cases,
 
 FitStore::FitStore(std::filesystem::path file) : file_(std::move(file)) {
   if (!std::filesystem::exists(file_)) return;
-  const InputError error(file_.string() +
-                         ": is no file of fits: must be one that ricochet calibrate wrote");
-  toml::table root;
+  FitsFile kept;
   try {
-    root = parse_toml_file(file_);
-  } catch (const InputError&) {
-    throw error;
+    kept = fields_from<FitsFile>(read_toml_text(file_), file_.string());
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: is no file of fits, which ricochet calibrate wrote", error.what()));
   }
-  const toml::array* fits = root["fit"].as_array();
-  if (fits == nullptr) throw error;
-  check_head(root, fits->size(), file_.string());
-  for (const toml::node& node : *fits) {
-    const toml::table* table = node.as_table();
-    if (table == nullptr) throw error;
-    const auto name = (*table)["name"].value<std::string>();
-    const auto options = (*table)["options"].value<std::string>();
-    const auto fit = fit_in(*table);
-    if (!name || !options || !fit) throw error;
-    fits_[*name].insert_or_assign(*options, Kept{*fit, true});
+  check_head(kept, file_.string());
+  for (const KeptFit& fit : kept.fit) {
+    fits_[fit.name].insert_or_assign(fit.options,
+                                     Kept{{{}, {}, fit.constants, fit.loss, ""}, true});
   }
 }
 
@@ -313,22 +306,14 @@ void FitStore::add(const std::vector<AskedFit>& asked, const std::vector<Fit>& f
   for (std::size_t i = 0; i < asked.size(); ++i) {
     fits_[asked[i].name()].insert_or_assign(asked[i].options, Kept{fits[i], false});
   }
-  toml::array tables;
+  FitsFile file{suite_version, hash_of_data()};
   for (const auto& [name, named] : fits_) {
     for (const auto& [options, kept] : named) {
-      tables.push_back(toml::table{{"name", name},
-                                   {"options", options},
-                                   {"loss", kept.fit.loss},
-                                   {"constants", array_of(kept.fit.constants)}});
+      file.fit.push_back({name, options, kept.fit.loss, kept.fit.constants});
     }
   }
-  std::ostringstream text;
-  text << toml::table{{"version", suite_version},
-                      {"data", hash_of_data()},
-                      {"fits", static_cast<std::int64_t>(tables.size())},
-                      {"fit", tables}}
-       << '\n';
-  write_text_file(file_, text.str(), SymbolicLinks::refused);
+  file.fits = std::ssize(file.fit);
+  write_text_file(file_, toml_of_fields(file), SymbolicLinks::refused);
 }
 
 BestPoint start_of(const Problem& problem) {

@@ -51,20 +51,20 @@ struct FidelityTotal {
   int unfinished = 0;
   std::optional<double> least_cost = {}, most_cost = {};  ///< of a case
 };
-RICOCHET_WRITTEN_AS_JSON(FidelityTotal, stiffness, compared, equal, share, distance, unfinished,
-                         least_cost, most_cost);
+RICOCHET_FIELDS(FidelityTotal, stiffness, compared, equal, share, distance, unfinished, least_cost,
+                most_cost);
 
 struct FidelityShares {
   std::string case_;
   std::vector<std::optional<double>> equal;  ///< one for each stiffness
 };
-RICOCHET_WRITTEN_AS_JSON(FidelityShares, case_, equal);
+RICOCHET_FIELDS(FidelityShares, case_, equal);
 
 struct TriedSpeeds {
   std::size_t tried;
   double first, last;  ///< [rad/s]
 };
-RICOCHET_WRITTEN_AS_JSON(TriedSpeeds, tried, first, last);
+RICOCHET_FIELDS(TriedSpeeds, tried, first, last);
 
 struct FidelityData {
   std::size_t cases;
@@ -72,7 +72,7 @@ struct FidelityData {
   std::vector<FidelityTotal> stiffnesses;
   std::vector<FidelityShares> shares;
 };
-RICOCHET_WRITTEN_AS_JSON(FidelityData, cases, speeds, stiffnesses, shares);
+RICOCHET_FIELDS(FidelityData, cases, speeds, stiffnesses, shares);
 
 /// Where the counts of compliant and hard walls differ.
 FidelityData data_of(const FidelityStudy& study);
@@ -111,7 +111,7 @@ LevelStudy study_levels(const LevelPlan& plan);
 struct LevelDirection {
   double tangent, coupled, wrong;  ///< the latter two as shares of the speeds
 };
-RICOCHET_WRITTEN_AS_JSON(LevelDirection, tangent, coupled, wrong);
+RICOCHET_FIELDS(LevelDirection, tangent, coupled, wrong);
 
 /// How certain a case's counts are, and the reasons if they are not.
 struct LevelCase {
@@ -120,21 +120,20 @@ struct LevelCase {
   double certain;  ///< share
   int margin, window, graze, sensitive, resolved;
 };
-RICOCHET_WRITTEN_AS_JSON(LevelCase, case_, speeds, certain, margin, window, graze, sensitive,
-                         resolved);
+RICOCHET_FIELDS(LevelCase, case_, speeds, certain, margin, window, graze, sensitive, resolved);
 
 /// Processor time of a count relative to hard walls in one direction.
 struct LevelCosts {
   std::string case_;
   double compliant, planar, automatic;
 };
-RICOCHET_WRITTEN_AS_JSON(LevelCosts, case_, compliant, planar, automatic);
+RICOCHET_FIELDS(LevelCosts, case_, compliant, planar, automatic);
 
 struct WrongShares {
   std::string case_;
   std::vector<double> shares;  ///< one for each direction
 };
-RICOCHET_WRITTEN_AS_JSON(WrongShares, case_, shares);
+RICOCHET_FIELDS(WrongShares, case_, shares);
 
 struct LevelData {
   double stiffness = {};
@@ -146,8 +145,8 @@ struct LevelData {
   double certain_share = 0;
   int uncertain = 0, resolved = 0;
 };
-RICOCHET_WRITTEN_AS_JSON(LevelData, stiffness, directions, cases, costs, wrong, speeds, certain,
-                         certain_share, uncertain, resolved);
+RICOCHET_FIELDS(LevelData, stiffness, directions, cases, costs, wrong, speeds, certain,
+                certain_share, uncertain, resolved);
 
 /// Which level a scene needs, the errors of the cheaper ones, and the cost of each.
 LevelData data_of(const LevelStudy& study);
@@ -159,14 +158,14 @@ struct LevelCost {
   bool reference;
   std::optional<double> cost, wrong;  ///< processor time over that of the reference; a share
 };
-RICOCHET_WRITTEN_AS_JSON(LevelCost, level, reference, cost, wrong);
+RICOCHET_FIELDS(LevelCost, level, reference, cost, wrong);
 
 /// Whether the second direction is needed.
 struct PlanarNeed {
   double most_wrong;       ///< largest share of wrong counts without it
   double largest_tangent;  ///< of the pull across to the pull along
 };
-RICOCHET_WRITTEN_AS_JSON(PlanarNeed, most_wrong, largest_tangent);
+RICOCHET_FIELDS(PlanarNeed, most_wrong, largest_tangent);
 
 std::vector<LevelCost> level_costs(const FidelityData& walls, const LevelData& levels);
 PlanarNeed planar_need(const LevelData& levels);
@@ -221,15 +220,14 @@ struct SimulationRow {
   int missing, unfinished;
   bool within;
 };
-RICOCHET_WRITTEN_AS_JSON(SimulationRow, simulation, kind, control, reference, seconds,
-                         seconds_least, seconds_most, error, error_least, missing, unfinished,
-                         within);
+RICOCHET_FIELDS(SimulationRow, simulation, kind, control, reference, seconds, seconds_least,
+                seconds_most, error, error_least, missing, unfinished, within);
 
 struct ReferenceThreshold {
   std::string case_;
   std::optional<double> threshold;  ///< [rad/s]
 };
-RICOCHET_WRITTEN_AS_JSON(ReferenceThreshold, case_, threshold);
+RICOCHET_FIELDS(ReferenceThreshold, case_, threshold);
 
 struct ThresholdData {
   std::string family = {};  ///< of problems whose answers are the thresholds
@@ -244,8 +242,8 @@ struct ThresholdData {
   int within = 0;
   std::size_t tried = 0;
 };
-RICOCHET_WRITTEN_AS_JSON(ThresholdData, family, formulations, names, cases, tolerance, simulations,
-                         cheapest, level, within, tried);
+RICOCHET_FIELDS(ThresholdData, family, formulations, names, cases, tolerance, simulations, cheapest,
+                level, within, tried);
 
 /// Cost and error of every simulation.
 ThresholdData data_of(const ThresholdStudy& study);

@@ -94,7 +94,7 @@ struct ReturnedRestitution {
   double asked;     ///< in (0, 1)
   double returned;  ///< in [0, 1]
 };
-RICOCHET_WRITTEN_AS_JSON(ReturnedRestitution, asked, returned);
+RICOCHET_FIELDS(ReturnedRestitution, asked, returned);
 
 /// One law, by its closed relation and by simulation.
 struct LawStudy {

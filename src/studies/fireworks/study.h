@@ -55,7 +55,7 @@ struct Moments {
   std::size_t runs;
   double lower, upper;
 };
-RICOCHET_JSON(Moments, mean, deviation, runs, lower, upper);
+RICOCHET_FIELDS(Moments, mean, deviation, runs, lower, upper);
 
 /// Of at least two values, assumed to be normal (Student's t).
 Moments moments_of(const std::vector<double>& values);

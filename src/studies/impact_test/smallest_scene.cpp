@@ -98,12 +98,12 @@ double rounded_to(double x, int digits) {
 void visit_numbers(Scene& machine, const std::function<void(double&)>& visit) {
   struct Visitor {
     const std::function<void(double&)>& visit;
-    void operator()(const Field& /*field*/, double& x) const { visit(x); }
-    void operator()(const Field& /*field*/, Walls<double> walls) const {
+    void operator()(const SceneField& /*field*/, double& x) const { visit(x); }
+    void operator()(const SceneField& /*field*/, Walls<double> walls) const {
       visit(walls.lower);
       visit(walls.upper);
     }
-    void operator()(const Field& /*field*/,
+    void operator()(const SceneField& /*field*/,
                     PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
       visit(speed.omega);
       for (auto& knot : speed.profile) {
@@ -111,8 +111,8 @@ void visit_numbers(Scene& machine, const std::function<void(double&)>& visit) {
         visit(knot.omega);
       }
     }
-    void operator()(const Field& /*field*/, bool& /*flag*/) const {}
-    void operator()(const Field& /*field*/, Centrifugal& /*rule*/) const {}
+    void operator()(const SceneField& /*field*/, bool& /*flag*/) const {}
+    void operator()(const SceneField& /*field*/, Centrifugal& /*rule*/) const {}
   };
   visit_scene_fields(Visitor{visit}, machine);
   visit(seconds_of(machine));

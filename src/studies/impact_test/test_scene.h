@@ -26,14 +26,14 @@ struct ForceTerm {
   std::array<double, 3> amplitude;  ///< a0 [N], a1 [N/s], a2 [N/s^2]
   std::array<double, 3> phase;      ///< p0 [rad], p1 [rad/s], p2 [rad/s^2]
 };
-RICOCHET_JSON(ForceTerm, amplitude, phase);
+RICOCHET_FIELDS(ForceTerm, amplitude, phase);
 
 /// The force from a time on, until the next segment: the sum of its terms.
 struct ForceSegment {
   double from;  ///< [s]
   std::vector<ForceTerm> terms;
 };
-RICOCHET_JSON(ForceSegment, from, terms);
+RICOCHET_FIELDS(ForceSegment, from, terms);
 
 /// A scene as a tool reads it: mass x'' = F(t) - friction sign(x') between the walls, with
 /// x' -> -restitution x' at a wall. The format is that of docs/impact-test.md.
@@ -53,8 +53,8 @@ struct TestScene {
   double slowest = 0;   ///< [m/s]; slower impacts are not scored
   std::vector<ForceSegment> force;
 };
-RICOCHET_JSON(TestScene, version, scene, kind, difficulty, mass, lower, upper, restitution_lower,
-              restitution_upper, friction, position, velocity, duration, slowest, force);
+RICOCHET_FIELDS(TestScene, version, scene, kind, difficulty, mass, lower, upper, restitution_lower,
+                restitution_upper, friction, position, velocity, duration, slowest, force);
 
 /// The grades of a kind of scene.
 inline constexpr int difficulties = 4;

@@ -15,7 +15,7 @@
 
 namespace ricochet::carrier_track {
 
-RICOCHET_WRITTEN_AS_JSON(Level, from, to, low, typical, high);
+RICOCHET_FIELDS(Level, from, to, low, typical, high);
 
 }  // namespace ricochet::carrier_track
 

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "embedded/default_interpretation_text.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
-#include "src/core/toml.h"
+#include "src/core/toml_fields.h"
 #include "src/studies/paper/theory.h"
 
 namespace ricochet::carrier_track::inline paper {
@@ -312,18 +311,19 @@ FittedInterpretation fitted_interpretation(const Interpretation& interpretation,
 
 FittedInterpretation parse_fitted_interpretation(const std::string& text,
                                                  const std::string& origin) {
-  const toml::table file = parse_toml(text, origin);
-  const auto name = file["interpretation"].value<std::string>();
-  const auto provenance = file["provenance"].value<std::string>();
-  if (!name || !provenance) {
-    throw InputError(origin + ": interpretation and provenance must be there, as texts");
-  }
-  const Interpretation interpretation = find_interpretation(*name);
+  const toml::table table = parse_toml(text, origin);
+  const TomlTable file(&table, origin);
+  file.refuse_others_than({"interpretation", "provenance", "fitted", "fixed"});
+  const auto text_at = [&](std::string_view key) {
+    std::string found;
+    FieldReader{file}(Field{key, "", "", {}, Presence::required}, found);
+    return found;
+  };
+  const Interpretation interpretation = find_interpretation(text_at("interpretation"));
   Constants constants = natural_constants();
   std::vector<Unknown> free;
-  Uncertain uncertain;
-  TomlTable fitted(file, "fitted", origin, uncertain);
-  TomlTable fixed(file, "fixed", origin, uncertain);
+  const TomlTable fitted(table["fitted"].as_table(), origin, "fitted.");
+  const TomlTable fixed(table["fixed"].as_table(), origin, "fixed.");
   std::vector<std::string> names;
   for (const Unknown open : unknowns_of(interpretation)) {
     const auto i = static_cast<std::size_t>(open);
@@ -335,15 +335,14 @@ FittedInterpretation parse_fitted_interpretation(const std::string& text,
           fmt::format("{}: {} must be in one of [fitted] and [fixed]", origin, c.name));
     }
     if (is_fitted) free.push_back(open);
-    (is_fitted ? fitted : fixed).number({c.name, c.unit}, constants[i]);
-    if (constants[i] < c.lower || constants[i] > c.upper) {
-      throw InputError(fmt::format("{}: {} = {}: must be within {}..{} [{}]", origin, c.name,
-                                   constants[i], c.lower, c.upper, c.unit));
-    }
+    const std::string allowed = fmt::format("within {}..{} [{}]", c.lower, c.upper, c.unit);
+    const Range range{.least = c.lower, .most = c.upper, .words = allowed};
+    FieldReader{is_fitted ? fitted : fixed}(Field{c.name, c.unit, "", range}, constants[i]);
   }
   fitted.refuse_others_than(names);
   fixed.refuse_others_than(names);
-  return fitted_interpretation(interpretation, constants, std::move(free), *provenance, origin);
+  return fitted_interpretation(interpretation, constants, std::move(free), text_at("provenance"),
+                               origin);
 }
 
 std::string write_fitted_interpretation(const FittedInterpretation& fitted) {

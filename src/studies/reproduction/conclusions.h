@@ -28,7 +28,7 @@ struct Reversal {
   double from, to;            ///< restitution, friction or disturbance [N]
   double mean_from, mean_to;  ///< the mean counts there
 };
-RICOCHET_WRITTEN_AS_JSON(Reversal, line, from, to, mean_from, mean_to);
+RICOCHET_FIELDS(Reversal, line, from, to, mean_from, mean_to);
 
 /// How often neighbours on the grid change as a conclusion says, and the change from end to end.
 struct Trend {

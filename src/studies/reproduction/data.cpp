@@ -100,7 +100,7 @@ struct Span {
   double least, most;
   bool one;  ///< whether they are the same
 };
-RICOCHET_WRITTEN_AS_JSON(Span, least, most, one);
+RICOCHET_FIELDS(Span, least, most, one);
 
 /// Cases that differ only in their disturbance.
 struct Machine {
@@ -109,20 +109,20 @@ struct Machine {
   std::optional<Span> silent, speed;  ///< [rad/s], in the long run
   std::optional<Span> published;      ///< [rad/s], the paper's thresholds
 };
-RICOCHET_WRITTEN_AS_JSON(Machine, cases, restitution, friction, silent, speed, published);
+RICOCHET_FIELDS(Machine, cases, restitution, friction, silent, speed, published);
 
 struct ExampleSpeed {
   std::string case_;
   double speed, rpm;
 };
-RICOCHET_WRITTEN_AS_JSON(ExampleSpeed, case_, speed, rpm);
+RICOCHET_FIELDS(ExampleSpeed, case_, speed, rpm);
 
 struct Speeds {
   std::optional<double> least, most, least_rpm, most_rpm;
   std::vector<Machine> machines;
   std::optional<ExampleSpeed> example;
 };
-RICOCHET_WRITTEN_AS_JSON(Speeds, least, most, least_rpm, most_rpm, machines, example);
+RICOCHET_FIELDS(Speeds, least, most, least_rpm, most_rpm, machines, example);
 
 std::optional<Span> span_of(const std::vector<double>& speeds) {
   if (speeds.empty()) return std::nullopt;
@@ -228,27 +228,27 @@ struct SharpnessRow {
   std::optional<bool> is_step = {}, is_climb = {};
   std::optional<bool> steady = {};  ///< true if other ranges give the same answer
 };
-RICOCHET_WRITTEN_AS_JSON(SharpnessRow, id, restitution, threshold, before, after, times, width,
-                         relative_width, persistence, is_step, is_climb, steady);
+RICOCHET_FIELDS(SharpnessRow, id, restitution, threshold, before, after, times, width,
+                relative_width, persistence, is_step, is_climb, steady);
 
 /// How the counts of the cases with one restitution rise.
 struct Rises {
   double restitution;
   int all = 0, steps = 0, climbs = 0, neither = 0;
 };
-RICOCHET_WRITTEN_AS_JSON(Rises, restitution, all, steps, climbs, neither);
+RICOCHET_FIELDS(Rises, restitution, all, steps, climbs, neither);
 
 struct UnsteadyCase {
   std::string id;
 };
-RICOCHET_WRITTEN_AS_JSON(UnsteadyCase, id);
+RICOCHET_FIELDS(UnsteadyCase, id);
 
 struct Sharpness {
   std::vector<SharpnessRow> cases;
   std::vector<Rises> rises;
   std::vector<UnsteadyCase> unsteady;
 };
-RICOCHET_WRITTEN_AS_JSON(Sharpness, cases, rises, unsteady);
+RICOCHET_FIELDS(Sharpness, cases, rises, unsteady);
 
 SharpnessRow sharpness_row(const CaseStudy& c) {
   SharpnessRow row{c.the_case.id, c.the_case.restitution, c.score.threshold};

@@ -69,7 +69,7 @@ struct QuietCase {
   std::string id;
   std::optional<double> quiet;
 };
-RICOCHET_WRITTEN_AS_JSON(QuietCase, id, quiet);
+RICOCHET_FIELDS(QuietCase, id, quiet);
 
 /// The regimes of cases that differ in their restitution alone.
 struct RestitutionMap {

@@ -14,7 +14,7 @@ struct CurvePoint {
   double restitution;
   std::optional<double> speed;  ///< [rad/s]; nothing if every speed tried is quiet, or none is
 };
-RICOCHET_WRITTEN_AS_JSON(CurvePoint, restitution, speed);
+RICOCHET_FIELDS(CurvePoint, restitution, speed);
 
 /// The fastest quiet speed in the long run over restitution, of machines alike in all else.
 struct ThresholdCurve {
@@ -22,7 +22,7 @@ struct ThresholdCurve {
   double disturbance;              ///< [N]
   std::vector<CurvePoint> points;  ///< by rising restitution
 };
-RICOCHET_WRITTEN_AS_JSON(ThresholdCurve, friction, disturbance, points);
+RICOCHET_FIELDS(ThresholdCurve, friction, disturbance, points);
 
 /// The curves of the frictions and disturbances of the cases, friction first, over restitutions
 /// from 0.05 to 0.95, up to the speed `highest` [rad/s]. A threshold takes a hundred times as long

@@ -171,30 +171,30 @@ struct Ending {
   std::optional<std::size_t> improvements = {};
   std::optional<std::string> reasons = {};  ///< given by the solver or the run
 };
-RICOCHET_WRITTEN_AS_JSON(Ending, problem, kind, ending, improvements, reasons);
+RICOCHET_FIELDS(Ending, problem, kind, ending, improvements, reasons);
 
 struct SolverRow {
   std::string solver;
   std::vector<Ending> endings;  ///< one for each problem
 };
-RICOCHET_WRITTEN_AS_JSON(SolverRow, solver, endings);
+RICOCHET_FIELDS(SolverRow, solver, endings);
 
 struct Counts {
   int runs = 0, solved = 0, spent = 0, ended = 0, threw = 0, killed = 0, crashed = 0;
 };
-RICOCHET_WRITTEN_AS_JSON(Counts, runs, solved, spent, ended, threw, killed, crashed);
+RICOCHET_FIELDS(Counts, runs, solved, spent, ended, threw, killed, crashed);
 
 struct ProblemRow {
   std::string problem, what;
 };
-RICOCHET_WRITTEN_AS_JSON(ProblemRow, problem, what);
+RICOCHET_FIELDS(ProblemRow, problem, what);
 
 struct StressData {
   std::vector<ProblemRow> problems;
   Counts counts;
   std::vector<SolverRow> solvers;
 };
-RICOCHET_WRITTEN_AS_JSON(StressData, problems, counts, solvers);
+RICOCHET_FIELDS(StressData, problems, counts, solvers);
 
 std::string reasons_of(const RunRecord& record) {
   std::map<std::string, int> reasons;

@@ -120,7 +120,7 @@ struct StepError {
   double step;
   double median, upper;  ///< the latter the 0.9 quantile
 };
-RICOCHET_WRITTEN_AS_JSON(StepError, step, median, upper);
+RICOCHET_FIELDS(StepError, step, median, upper);
 
 struct GradientDoubtStudy {
   GradientDoubtPlan plan;

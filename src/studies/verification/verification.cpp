@@ -58,8 +58,8 @@ struct QuietSpeeds {
   int compared, wrong_certain, wrong_uncertain;
   std::vector<double> wrong_at;  ///< [rad/s], where a certain count is wrong
 };
-RICOCHET_WRITTEN_AS_JSON(QuietSpeeds, case_, threshold, speeds, certain, compared, wrong_certain,
-                         wrong_uncertain, wrong_at);
+RICOCHET_FIELDS(QuietSpeeds, case_, threshold, speeds, certain, compared, wrong_certain,
+                wrong_uncertain, wrong_at);
 
 struct Verification {
   int seed;
@@ -69,7 +69,7 @@ struct Verification {
   std::vector<QuietSpeeds> quiet_speeds;
   bool failed;
 };
-RICOCHET_WRITTEN_AS_JSON(Verification, seed, scenes, wrong, unmatched, quiet_speeds, failed);
+RICOCHET_FIELDS(Verification, seed, scenes, wrong, unmatched, quiet_speeds, failed);
 
 bool is_wrong(const Comparison& c) {
   return c.compared && c.certain && !c.agrees();

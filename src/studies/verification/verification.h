@@ -27,8 +27,8 @@ struct SceneTally {
   /// Comparisons that the oracle did not break off.
   int compared() const { return scenes - broken_off; }
 };
-RICOCHET_WRITTEN_AS_JSON(SceneTally, name, scenes, broken_off, certain, wrong_certain,
-                         wrong_uncertain, missed, spurious, matched, time_error, speed_error);
+RICOCHET_FIELDS(SceneTally, name, scenes, broken_off, certain, wrong_certain, wrong_uncertain,
+                missed, spurious, matched, time_error, speed_error);
 
 }  // namespace ricochet::studies::verification
 

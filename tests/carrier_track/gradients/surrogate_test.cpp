@@ -52,7 +52,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesAtAThousandRandomSpeeds) {
   EXPECT_LT(quantile(errors, 0.99), 1e-7);
 }
 
-struct Field {
+struct SceneField {
   const char* name;
   double Scene::*plain;
   Jet BasicScene<Jet>::*dual;
@@ -61,8 +61,8 @@ struct Field {
 TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
   using Dual = BasicScene<Jet>;
   std::vector<double> errors;
-  for (const Field& field :
-       {Field{"mass", &Scene::mass, &Dual::mass},
+  for (const SceneField& field :
+       {SceneField{"mass", &Scene::mass, &Dual::mass},
         {"wall_upper", &Scene::wall_upper, &Dual::wall_upper},
         {"restitution_lower", &Scene::restitution_lower, &Dual::restitution_lower},
         {"restitution_upper", &Scene::restitution_upper, &Dual::restitution_upper},

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "problems/carrier_track/scene/scene_fields.h"
-#include "problems/carrier_track/scene/toml_table.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -56,7 +55,7 @@ TEST(Quantity, IsNothingElse) {
 
 /// What a new unit of a field must not forget.
 TEST(Quantity, HasUnitsForEveryFieldThatHasADimension) {
-  const auto expect_units = [](const Field& field) {
+  const auto expect_units = [](const SceneField& field) {
     if (field.unit.empty() || field.unit == "1" || field.unit.starts_with("N/m^")) return;
     ASSERT_THAT(units_for(field.unit), testing::SizeIs(testing::Ge(2U))) << field.key;
     EXPECT_EQ(units_for(field.unit).front(), field.unit);

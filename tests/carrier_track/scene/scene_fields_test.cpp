@@ -34,7 +34,7 @@ struct Numbers {
   Use use;
 
   template <class T>
-  void operator()(const Field& field, T&& x) const {
+  void operator()(const SceneField& field, T&& x) const {
     if constexpr (requires { x.profile; }) {
       use(field, x.omega);
       for (auto& knot : x.profile) use(field, knot.omega);
@@ -57,8 +57,8 @@ Scene unusual_scene() {
   Scene scene;
   scene.across.emplace().pull = -0.5;
   scene.contact_speed = 0.25;
-  const Numbers change{[](const Field&, double& x) { x = 0.75 * x + 0.1875; }};
-  visit_fields(change, scene);
+  const Numbers change{[](const SceneField&, double& x) { x = 0.75 * x + 0.1875; }};
+  visit_flat_fields(change, scene);
   visit_across_fields(change, *scene.across);
   scene.restitution_upper = scene.across->restitution_upper = 0.5;  // unlike that of the lower wall
   scene.centrifugal = Centrifugal::outward;
@@ -84,7 +84,7 @@ struct Differences {
   std::vector<std::string>& keys;
 
   template <class T>
-  void operator()(const Field& field, const T& a, const T& b) const {
+  void operator()(const SceneField& field, const T& a, const T& b) const {
     bool same = true;
     if constexpr (requires { a.profile; }) {
       same = a.omega == b.omega && std::equal(a.profile.begin(), a.profile.end(), b.profile.begin(),
@@ -103,7 +103,7 @@ struct Differences {
 
 std::vector<std::string> differences(const Scene& a, const Scene& b) {
   std::vector<std::string> keys;
-  visit_fields(Differences{keys}, a, b);
+  visit_flat_fields(Differences{keys}, a, b);
   return keys;
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> differences(const Across<double>& a, const Across<doubl
 
 std::vector<std::string> all_keys() {
   std::vector<std::string> keys;
-  visit_fields([&](const Field& field) { keys.emplace_back(field.key); });
+  visit_flat_fields([&](const SceneField& field) { keys.emplace_back(field.key); });
   return keys;
 }
 
@@ -127,7 +127,7 @@ std::size_t largest_gap(const Owner& owner, const Visit& visit,
   const auto add = [&](const auto& x) {
     members.emplace_back(reinterpret_cast<const std::byte*>(&x), sizeof(x));
   };
-  const auto add_field = [&](const Field&, const auto& x) {
+  const auto add_field = [&](const SceneField&, const auto& x) {
     if constexpr (requires { x.profile; }) {
       add(x.omega);
       add(x.profile);
@@ -156,7 +156,7 @@ std::size_t largest_gap(const Owner& owner, const Visit& visit,
 TEST(SceneFields, AreAllTheNumbersOfTheStructs) {
   const Scene scene;
   EXPECT_LT(
-      largest_gap(scene, [](const auto& visit, const Scene& s) { visit_fields(visit, s); },
+      largest_gap(scene, [](const auto& visit, const Scene& s) { visit_flat_fields(visit, s); },
                   {{&scene.window, sizeof(scene.window)}, {&scene.across, sizeof(scene.across)}}),
       sizeof(double))
       << "a member of BasicScene is not in the list";
@@ -190,23 +190,23 @@ TEST(SceneFields, AreWrittenAndReadBack) {
 }
 
 /// What a complaint says of a number out of range, and one that is.
-std::pair<std::string, double> out_of_range(const Field& field) {
-  switch (field.range) {
-    case Range::finite:
-      return {fmt::format("must be a finite number [{}]", field.unit), infinity};
-    case Range::not_negative:
-    case Range::frequency:
-      return {fmt::format("must be a finite number >= 0 [{}]", field.unit), -1.0};
-    case Range::positive:
-      return {fmt::format("must be a finite number > 0 [{}]", field.unit), 0.0};
-    case Range::fraction:
-      return {"must be within 0..1", 1.5};
-    case Range::by_rule:
-      return {"must be ", -1.0};
-    case Range::any:
-      ADD_FAILURE() << field.key << " is a number without a range";
+std::pair<std::string, double> out_of_range(const SceneField& field) {
+  const Range& range = field.range;
+  if (range == ranges::finite) {
+    return {fmt::format("must be a finite number [{}], within -1e15..1e15", field.unit), infinity};
   }
-  return {};
+  if (range == ranges::not_negative) {
+    return {fmt::format("must be a finite number >= 0 [{}], at most 1e15", field.unit), -1.0};
+  }
+  if (range == ranges::frequency) {
+    return {fmt::format("must be a finite number >= 0 [{}], at most 1e9", field.unit), -1.0};
+  }
+  if (range == ranges::positive) {
+    return {fmt::format("must be a finite number > 0 [{}], within 1e-15..1e15", field.unit), 0.0};
+  }
+  if (range == ranges::fraction) return {"must be within 0..1", 1.5};
+  EXPECT_EQ(range, ranges::by_rule) << field.key;
+  return {"must be ", -1.0};
 }
 
 /// Refuses NaN and what is out of range in each number of a table in turn.
@@ -216,7 +216,7 @@ int expect_termination_reasons(const std::string& table, const Visit& visit) {
   const std::size_t numbers = [&] {
     std::size_t n = 0;
     Scene scene = unusual_scene();
-    visit(Numbers{[&n](const Field&, double&) { ++n; }}, scene);
+    visit(Numbers{[&n](const SceneField&, double&) { ++n; }}, scene);
     return n;
   }();
   for (std::size_t wrong = 0; wrong < numbers; ++wrong) {
@@ -224,7 +224,7 @@ int expect_termination_reasons(const std::string& table, const Visit& visit) {
       Scene scene = unusual_scene();
       std::string start, allowed;
       std::size_t i = 0;
-      visit(Numbers{[&](const Field& field, double& x) {
+      visit(Numbers{[&](const SceneField& field, double& x) {
               if (i++ != wrong) return;
               const auto [must, value] = out_of_range(field);
               x = not_a_number ? std::numeric_limits<double>::quiet_NaN() : value;
@@ -267,8 +267,8 @@ TEST(SceneFields, AreChecked) {
 template <class Scalar>
 std::vector<double> numbers_of(const BasicScene<Scalar>& scene) {
   std::vector<double> numbers;
-  const Numbers add{[&](const Field&, const auto& x) { numbers.push_back(value(x)); }};
-  visit_fields(add, scene);
+  const Numbers add{[&](const SceneField&, const auto& x) { numbers.push_back(value(x)); }};
+  visit_flat_fields(add, scene);
   if (scene.across) visit_across_fields(add, *scene.across);
   return numbers;
 }
@@ -303,8 +303,8 @@ TEST(SceneFields, AreKeptWhenLifted) {
 TEST(SceneFields, ArePerturbedUnlessTheListSaysNot) {
   for (const Scene& scene : {unusual_scene(), flagged_scene()}) {
     std::vector<Perturbation> rules;
-    const Numbers add{[&](const Field& f, double) { rules.push_back(f.perturbation); }};
-    visit_fields(add, scene);
+    const Numbers add{[&](const SceneField& f, double) { rules.push_back(f.perturbation); }};
+    visit_flat_fields(add, scene);
     if (scene.across) visit_across_fields(add, *scene.across);
     const std::vector<double> given = numbers_of(scene);
     const std::vector<double> near = numbers_of(perturbed(scene, 0.6180339887498949, 1.0));

@@ -51,7 +51,7 @@ TEST(Tool, IsRefusedWhereTheFileIsWrong) {
   };
   EXPECT_THAT(complaint(text, "title", "titel"), HasSubstr("there is no key titel"));
   EXPECT_THAT(complaint(text, "run = [\"$OUT\", \"fast\"]", ""), HasSubstr("run is missing"));
-  EXPECT_THAT(complaint(text, "[\"some-dev\"]", "7"), HasSubstr("packages must be a list"));
+  EXPECT_THAT(complaint(text, "[\"some-dev\"]", "7"), HasSubstr("packages = 7: must be a text"));
   EXPECT_THAT(complaint(text, "\"some\"", "\"a/b\""), HasSubstr("a/b"));
   EXPECT_THAT(complaint(std::string(text) + text, "1e-4", "1e-3"), HasSubstr("twice"));
 }

@@ -61,7 +61,9 @@ TEST(FittedInterpretation, IsWrittenAndReadBackBitForBit) {
 
 TEST(FittedInterpretation, IsRefusedWithTheReason) {
   const std::string text = write_fitted_interpretation(default_interpretation());
-  EXPECT_THAT(complaint_about("interpretation = 3"), HasSubstr("must be there"));
+  EXPECT_THAT(complaint_about("interpretation = 3"),
+              HasSubstr("interpretation = 3: must be a text"));
+  EXPECT_THAT(complaint_about(""), HasSubstr("some.toml: interpretation is missing"));
   EXPECT_THAT(complaint_about("interpretation = "), HasSubstr("not valid TOML"));
   EXPECT_THAT(complaint_about(text + "\nhope = 1\n"), HasSubstr("hope"));
   std::string missing = text;
@@ -69,7 +71,7 @@ TEST(FittedInterpretation, IsRefusedWithTheReason) {
   EXPECT_THAT(complaint_about(missing), HasSubstr("clearance must be in one of"));
   std::string outside = text;
   outside.replace(outside.find("start_share ="), 13, "start_share = 7 #");
-  EXPECT_THAT(complaint_about(outside), HasSubstr("start_share = 7: must be within 0..1"));
+  EXPECT_THAT(complaint_about(outside), HasSubstr("fixed.start_share = 7: must be within 0..1"));
 }
 
 TEST(FittedInterpretation, IsRefusedWhereCasesDifferInMore) {

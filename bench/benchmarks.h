@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::bench {
 

@@ -34,7 +34,7 @@ struct AdjustableSolver {
   std::function<Solver(const GivenOptions&)> with;
 };
 
-/// The default of an option as text. One that hangs on the problem is a missing optional, and its
+/// The default of an option as text. One that depends on the problem is a missing optional, and its
 /// field's remark says what it is.
 inline std::string usual_of(const Field& /*field*/, double usual) {
   return text_of(OptionValue(usual));
@@ -88,7 +88,7 @@ constexpr Field real_option(std::string_view name, double least, double most) {
   return {name, "1", "", {.least = least, .most = most}};
 }
 
-/// `usual` describes a default that hangs on the problem.
+/// `usual` describes a default that depends on the problem.
 constexpr Field whole_option(std::string_view name, double least, double most = 1e6,
                              std::string_view usual = "") {
   return {name, "1", usual, whole_number(least, most)};

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet {
 

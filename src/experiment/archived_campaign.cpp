@@ -171,7 +171,7 @@ CampaignDescription united(const CampaignDescription& first, const CampaignDescr
     } else if (known->content != solver.content) {
       throw InputError(fmt::format(
           "the first has runs of another {0}, made of other files under the same name and version: "
-          "make the runs of one anew, or give it another name",
+          "repeat the runs of one, or give it another name",
           solver.name));
     }
   }

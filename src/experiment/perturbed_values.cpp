@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 #include "src/experiment/perturbations.h"
 
 namespace ricochet {

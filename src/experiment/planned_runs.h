@@ -115,14 +115,15 @@ struct Forecast {
   double search = 0;      ///< for the best values that are not known
   double runs = 0;        ///< with starting their processes, programs and libraries
   double report = 0;      ///< for the numbers and the pages
+  double one_core = 0;    ///< of the report: its pages, which one core draws
   bool at_least = false;  ///< some solver could not be timed, and its own time is missing
 
   /// Elapsed time [s] on so many cores, if nothing else runs on them.
   double seconds(double cores) const;
 };
 
-/// Foretells from the time of evaluations in the box of every problem, and from two short runs of
-/// every solver, which are made for this purpose. Too low if solvers become slower with the number
+/// Foretells from the time of evaluations in the box of every problem, of two short runs of every
+/// solver and of some runs that do nothing, which are made for this purpose. Too low if solvers become slower with the number
 /// of variables or evaluations; too high if runs end before their budget is spent.
 Forecast forecast_of(const Campaign& campaign);
 

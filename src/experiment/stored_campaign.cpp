@@ -162,7 +162,7 @@ void TakenOver::tell_outdated() const {
     ++runs;
   }
   if (runs == 0) return;
-  Progress::announce(fmt::format("{} changed since these runs: {} run{} made anew",
+  Progress::announce(fmt::format("{} changed since these runs: {} run{} repeated",
                                  fmt::join(solvers, ", "), runs, runs == 1 ? " is" : "s are"));
 }
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/identification/knock_problem.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::studies::identification {
 

@@ -172,7 +172,7 @@ for line in sys.stdin:
     print(json.dumps({"done": "one point", "point": x}), flush=True)
 )";
 
-constexpr auto changed = "mine changed since these runs: 2 runs are made anew";
+constexpr auto changed = "mine changed since these runs: 2 runs are repeated";
 
 /// A user's solver that is edited between two runs of a plan, beside one of the suite.
 class EditedSolver : public testing::Test {
@@ -206,7 +206,7 @@ class EditedSolver : public testing::Test {
     return call("digest " + path(out) + "/runs.sqlite").out;
   }
 
-  /// Expects that runs are kept until `edit`, and then those of the solver are made anew, as in a
+  /// Expects that runs are kept until `edit`, and then those of the solver are repeated, as in a
   /// fresh folder.
   void expect_made_anew(const std::string& solver, const std::function<void()>& edit) {
     run(solver, "out");

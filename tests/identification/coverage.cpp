@@ -14,7 +14,7 @@
 #include "problems/carrier_track/identification/knock_record.h"
 #include "ricochet/solver.h"
 #include "src/core/files.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 #include "src/identification/identified_machine.h"
 #include "tests/carrier_track/identification/synthetic_knocks.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline identification {
 

@@ -10,7 +10,7 @@
 #include "problems/carrier_track/motion/impact_model.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 

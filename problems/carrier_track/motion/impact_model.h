@@ -15,7 +15,7 @@
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 

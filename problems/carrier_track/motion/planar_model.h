@@ -11,7 +11,7 @@
 #include "problems/carrier_track/motion/profile_forces.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -12,7 +12,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 /// What a walk from border to border does in another way for motions that repeat than for those
 /// under a disturbance. Steps are in the logarithm of the speed.

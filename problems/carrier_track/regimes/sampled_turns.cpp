@@ -13,7 +13,7 @@
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline regimes {
 

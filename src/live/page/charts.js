@@ -36,7 +36,7 @@ class Chart {
     new ResizeObserver(() => { if (this.svg.clientWidth !== this.width && this.again) this.again(); }).observe(this.svg);
   }
 
-  // Begins anew: an empty plot with these axes. `said`: the chart in a sentence.
+  // Begins again: an empty plot with these axes. `said`: the chart in a sentence.
   begin({x, y, said, rows = 0, left = 46}) {
     this.width = Math.max(280, this.svg.clientWidth);
     Object.assign(this, {left, right: this.width - 12, top: 8 + 16 * rows, bottom: this.height - 40, xAxis: x, yAxis: y});

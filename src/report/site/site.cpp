@@ -132,7 +132,7 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
     } catch (const InputError& error) {
       failures.emplace_back(error.what());
     }
-    // The front page says that it must be made anew.
+    // The front page says that it must be written again.
     if (fs::equivalent(from, folder, none)) continue;
     ricochet::report::add_files(below(folder, report),
                                 {{data_file, text_of_file(from / report / data_file)}});

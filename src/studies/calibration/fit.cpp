@@ -280,7 +280,7 @@ std::optional<Fit> FitStore::find(const AskedFit& asked) const {
     if (other.from_file && !told_) {
       warn(
           fmt::format("{}: {} is there by other options, {} in place of {}: this and others like "
-                      "it are searched anew",
+                      "it are searched again",
                       file_.string(), name, options, asked.options));
       told_ = true;
     }

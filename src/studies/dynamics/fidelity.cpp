@@ -16,7 +16,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "src/core/progress.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::studies::dynamics {
 

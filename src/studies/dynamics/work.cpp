@@ -13,7 +13,7 @@
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::studies::dynamics {
 

@@ -9,7 +9,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 #include "src/studies/impact_test/tool.h"
 
 namespace ricochet::studies::impact_test {

@@ -61,7 +61,7 @@ StoredCampaign opened(const Plan& plan, const Catalogue& catalogue, const Compar
     return stored_campaign(plan, catalogue, store.file, store.provenance);
   } catch (const InputError& error) {
     if (!std::filesystem::remove(store.file)) throw;
-    Progress::announce(fmt::format("{}; it is made anew", error.what()));
+    Progress::announce(fmt::format("{}; it is computed again", error.what()));
     return stored_campaign(plan, catalogue, store.file, store.provenance);
   }
 }

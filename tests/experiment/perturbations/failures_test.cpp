@@ -4,7 +4,7 @@
 
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 #include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 

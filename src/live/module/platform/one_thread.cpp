@@ -1,7 +1,7 @@
 // What the simulation takes from the machine that it runs on, where there is no clock and no vector
 // of eight numbers.
 #include "problems/carrier_track/motion/lanes.h"
-#include "src/core/run.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet {
 

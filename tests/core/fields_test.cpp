@@ -117,7 +117,7 @@ TEST(Fields, ThatAreAsUsualAreNotWritten) {
   EXPECT_EQ(toml_of_fields(Outer{}), "name = \"a\"\n\n[inner]\nlength = 0.5\n");
 }
 
-std::string complaint(const std::string& text) {
+std::string complaint_about_fields(const std::string& text) {
   try {
     fields_from<Outer>(text, "my.toml");
   } catch (const InputError& error) {
@@ -151,10 +151,11 @@ TEST(Fields, AreRefusedWithPlaceValueAndWhatIsAllowed) {
            {"list = []", "must be one or more tables [[list]]"},
            {"[[list]]\n[[list]]\nlength = 0", "my.toml:3, list 2: length = 0: must be"},
            {"other = 1", "my.toml: other = 1: must be a table"}}) {
-    EXPECT_THAT(complaint("name = \"a\"\n" + line), HasSubstr(said));
+    EXPECT_THAT(complaint_about_fields("name = \"a\"\n" + line), HasSubstr(said));
   }
-  EXPECT_THAT(complaint("count = 1"), HasSubstr("my.toml: name is missing"));
-  EXPECT_THAT(complaint("name = \"a b\""), HasSubstr("name = 'a b': must be " + names_in_words));
+  EXPECT_THAT(complaint_about_fields("count = 1"), HasSubstr("my.toml: name is missing"));
+  EXPECT_THAT(complaint_about_fields("name = \"a b\""),
+              HasSubstr("name = 'a b': must be " + names_in_words));
 }
 
 TEST(Fields, TakeTextsWithUnits) {

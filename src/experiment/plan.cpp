@@ -58,9 +58,12 @@ template <class Number>
 Variables(Number&, Number&) -> Variables<Number>;
 
 void read_value(const TomlValue& value, Variables<std::int64_t> target) {
+  const toml::array* list = value.node.as_array();
+  if (list != nullptr && (list->empty() || list->size() > 2)) {
+    value.refuse("a number, or [least, most]");
+  }
   std::vector<std::int64_t> ends = {target.least, target.most};
   read_value(value, ends);
-  if (ends.size() > 2) value.refuse("a number, or [least, most]");
   target.least = ends.front();
   target.most = ends.back();
 }

@@ -49,10 +49,11 @@ TEST(Forecast, IsTheTimeOfSimulationsAndOfTheSolver) {
 
 TEST(Forecast, HasItsShareForEveryRun) {
   const Forecast many = foretold(0, 0, "budgets = 2\ninstances = 10000");
-  EXPECT_GT(many.runs, 1);
-  EXPECT_LT(many.runs, 5);
+  EXPECT_GT(many.runs, 0.1) << "ten thousand processes' messages and rows of a store";
+  EXPECT_LT(many.runs, 10);
   const Forecast few = foretold(0, 0, "budgets = 2\ninstances = 100");
-  EXPECT_GT(many.report, few.report);
+  EXPECT_GT(many.report, 1.5 * few.report);
+  EXPECT_GT(few.one_core, 0);
 }
 
 TEST(Forecast, HasEveryEvaluationThatTheScorerMakes) {

@@ -8,9 +8,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/error.h"
+#include "src/experiment/plan.h"
 #include "tests/app/tool.h"
 
 namespace ricochet::cli {
@@ -82,8 +85,7 @@ TEST(MachineFiles, DocumentEveryFieldOfAScene) {
         const std::string allowed(is_finite ? "finite" : field.range.brief);
         EXPECT_THAT(row.allowed, testing::HasSubstr(allowed)) << key;
       }
-      EXPECT_EQ(row.missing.starts_with("must be given"),
-                field.presence == Presence::required)
+      EXPECT_EQ(row.missing.starts_with("must be given"), field.presence == Presence::required)
           << key;
     };
   };
@@ -95,6 +97,36 @@ TEST(MachineFiles, DocumentEveryFieldOfAScene) {
   std::set<std::string> documented;
   for (const auto& [key, row] : rows) documented.insert(key);
   EXPECT_EQ(documented, keys);
+}
+
+/// The keys that a table may have: those that the refusal of another one lists.
+std::vector<std::string> keys_beside(const std::string& unknown_key) {
+  std::string said;
+  try {
+    plan_from(unknown_key, "a plan");
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  const std::size_t list = said.find("allowed: ");
+  std::vector<std::string> keys;
+  if (list == std::string::npos) return keys;
+  std::istringstream words(said.substr(list + 9));
+  for (std::string word; words >> word;) keys.push_back(word.substr(0, word.find(',')));
+  return keys;
+}
+
+TEST(PlanFiles, HaveEveryKeyInTheirTemplate) {
+  const std::string page = read(RICOCHET_SOURCE "/src/app/plan_template.toml");
+  const std::string other = "qqqqqqqq = 1";
+  for (const auto& [table, least] :
+       {std::pair("", 6U), std::pair("[limits]\n", 2U), std::pair("[[solver]]\n", 3U),
+        std::pair("[[scene]]\n", 3U), std::pair("[[part]]\n", 15U)}) {
+    const std::vector<std::string> keys = keys_beside(table + other);
+    EXPECT_GE(keys.size(), least) << table;
+    for (const std::string& key : keys) {
+      EXPECT_THAT(page, testing::ContainsRegex("[[ {]" + key + "(]| =)")) << table << key;
+    }
+  }
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 
+#include "ricochet/error.h"
+#include "src/core/files.h"
 #include "src/studies/impact_test/score.h"
 #include "src/studies/impact_test/simulator.h"
 #include "tests/studies/impact_test/some_scenes.h"
@@ -21,6 +25,26 @@ TEST(ImpactTools, AreDescribedInFull) {
     EXPECT_NE(tool.sets, "") << tool.name;
     EXPECT_NE(tool.advice, "") << tool.name;
   }
+}
+
+TEST(ImpactTools, HaveEveryKeyInTheirReadme) {
+  const ScratchFolder folder;
+  std::string said;
+  try {
+    tools_in(write_file(folder.path() / "tools.toml", "[[tool]]\nqqqqqqqq = 1\n"));
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  const std::size_t list = said.find("allowed: ");
+  ASSERT_NE(list, std::string::npos) << said;
+  const std::string page = text_of_file(RICOCHET_SOURCE "/src/studies/impact_test/tools/README.md");
+  std::istringstream words(said.substr(list + 9));
+  int keys = 0;
+  for (std::string word; words >> word; ++keys) {
+    const std::string key = word.substr(0, word.find(','));
+    EXPECT_NE(page.find('`' + key + '`'), std::string::npos) << key;
+  }
+  EXPECT_EQ(keys, 14);
 }
 
 class ImpactTools : public testing::TestWithParam<const char*> {};

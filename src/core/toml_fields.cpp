@@ -87,12 +87,6 @@ void read_value(const TomlValue& value, std::string& target) {
   if (target.empty() && must_say_something) value.refuse("a text that is not empty");
 }
 
-void read_value(const TomlValue& value, std::filesystem::path& target) {
-  std::string text;
-  read_value(value, text);
-  target = text;
-}
-
 void read_value(const TomlValue& value, Name<std::string> target) {
   if (!value.node.is_string()) value.refuse("a text");
   target.text = value.node.as_string()->get();

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -82,7 +81,6 @@ void read_value(const TomlValue& value, std::int64_t& target);
 void read_value(const TomlValue& value, int& target);
 void read_value(const TomlValue& value, bool& target);
 void read_value(const TomlValue& value, std::string& target);
-void read_value(const TomlValue& value, std::filesystem::path& target);
 void read_value(const TomlValue& value, Name<std::string> target);
 void read_value(const TomlValue& value, OptionValue& target);
 void read_value(const TomlValue& value, Vector& target);

@@ -96,8 +96,7 @@ struct nlohmann::adl_serializer<T> {
   }
 };
 
-/// The list of a struct's fields that have nothing but their names. Write it after the struct, in
-/// its namespace.
+/// A list of fields that have only names. It stands after the struct, in its namespace.
 #define RICOCHET_FIELDS(Type, ...)                                               \
   template <class Visit, ricochet::IsOf<Type>... Of>                             \
   void visit_fields(const Visit& visit, Of&... of) {                             \

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <atomic>

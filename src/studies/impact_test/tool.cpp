@@ -28,6 +28,20 @@
 
 namespace ricochet::studies::impact_test {
 
+/// The path of a file.
+template <class Path>
+struct File {
+  Path& path;
+};
+template <class Path>
+File(Path&) -> File<Path>;
+
+void read_value(const TomlValue& value, File<std::filesystem::path> target) {
+  std::string text;
+  ricochet::read_value(value, text);
+  target.path = text;
+}
+
 template <class Visit, IsOf<Tool>... T>
 void visit_fields(const Visit& visit, T&... t) {
   const auto required = [](std::string_view key) {
@@ -41,7 +55,7 @@ void visit_fields(const Visit& visit, T&... t) {
   visit(required("kind"), t.kind...);
   visit(Field{"packages"}, t.packages...);
   visit(Field{"pip"}, t.pip...);
-  visit(required("source"), t.source...);
+  visit(required("source"), File{t.source}...);
   visit(Field{"compile"}, t.compile...);
   visit(required("run"), t.run...);
   visit(required("version"), t.version...);

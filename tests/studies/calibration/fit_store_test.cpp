@@ -103,7 +103,7 @@ TEST(FitStore, RefusesFitsOfAnotherVersion) {
 }
 
 TEST(FitStore, RefusesFitsToOtherData) {
-  EXPECT_THAT(termination_reason_with("data = '.", "data = 'x"),
+  EXPECT_THAT(termination_reason_with("data = \".", "data = \"x"),
               AllOf(HasSubstr("fits.toml"), HasSubstr("other cases, claims or bounds")));
 }
 
@@ -111,7 +111,7 @@ TEST(FitStore, RefusesALossThatIsNotThatOfItsConstants) {
   EXPECT_THAT(termination_reason_with("loss = [0-9.]+", "loss = 0.125"),
               AllOf(HasSubstr("fits.toml"), HasSubstr(some_asked().name()),
                     HasSubstr("has loss 0.125, but its constants have 0.476")));
-  EXPECT_THAT(termination_reason_with("constants = \\[ 0.14", "constants = [ 0.24"),
+  EXPECT_THAT(termination_reason_with("constants = \\[0.14", "constants = [0.24"),
               HasSubstr("has loss 0.476"));
 }
 

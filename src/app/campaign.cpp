@@ -258,8 +258,9 @@ std::string in_words(const Json& size) {
 }
 
 std::string in_words(const Forecast& forecast, int cores) {
+  const double seconds = forecast.seconds(cores);
   return fmt::format("{} {} on {} core{}", forecast.at_least ? "at least" : "about",
-                     duration(forecast.seconds(cores)), cores, cores == 1 ? "" : "s");
+                     seconds < 1 ? "a second" : duration(seconds), cores, cores == 1 ? "" : "s");
 }
 
 FinishedCampaign finished_campaign(const Store& store) {

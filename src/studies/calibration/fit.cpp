@@ -193,15 +193,17 @@ std::string hash_of_data() {
   return data_hash(all_cases(), unknown_parameters());
 }
 
-/// Throws InputError if the file is of another version, was fitted to other data, or has fewer fits
-/// than it states.
+constexpr const char* instead = "remove it, or choose another folder";
+
+void check_version(std::int64_t version, const std::string& file) {
+  if (version == suite_version) return;
+  throw InputError(
+      fmt::format("{}: its fits are of version {} of the suite, this is version {}: {}", file,
+                  version, suite_version, instead));
+}
+
+/// Throws InputError if the file was fitted to other data, or has fewer fits than it states.
 void check_head(const FitsFile& fits, const std::string& file) {
-  constexpr const char* instead = "remove it, or choose another folder";
-  if (fits.version != suite_version) {
-    throw InputError(
-        fmt::format("{}: its fits are of version {} of the suite, this is version {}: {}", file,
-                    fits.version, suite_version, instead));
-  }
   if (fits.data != hash_of_data()) {
     throw InputError(
         fmt::format("{}: its fits are to other cases, claims or bounds (hash {}, not {}): {}", file,
@@ -254,14 +256,14 @@ std::string data_hash(const std::vector<Case>& cases,
 
 FitStore::FitStore(std::filesystem::path file) : file_(std::move(file)) {
   if (!std::filesystem::exists(file_)) return;
-  FitsFile kept;
-  try {
-    kept = fields_from<FitsFile>(read_toml_text(file_), file_.string());
-  } catch (const InputError& error) {
-    throw InputError(
-        fmt::format("{}: is no file of fits, which ricochet calibrate wrote", error.what()));
+  const std::string name = file_.string();
+  const toml::table table = parse_toml_file(name);
+  if (!table.contains("fit")) {
+    throw InputError(name + ": is no file of fits: must be one that ricochet calibrate wrote");
   }
-  check_head(kept, file_.string());
+  check_version(table["version"].value_or<std::int64_t>(1), name);
+  const auto kept = fields_from<FitsFile>(TomlTable(&table, name));
+  check_head(kept, name);
   for (const KeptFit& fit : kept.fit) {
     fits_[fit.name].insert_or_assign(fit.options,
                                      Kept{{{}, {}, fit.constants, fit.loss, ""}, true});

@@ -124,7 +124,11 @@ TEST(PlanFiles, HaveEveryKeyInTheirTemplate) {
     const std::vector<std::string> keys = keys_beside(table + other);
     EXPECT_GE(keys.size(), least) << table;
     for (const std::string& key : keys) {
-      EXPECT_THAT(page, testing::ContainsRegex("[[ {]" + key + "(]| =)")) << table << key;
+      const auto has = [&](const std::string& text) {
+        return page.find(text) != std::string::npos;
+      };
+      EXPECT_TRUE(has(" " + key + " =") || has("\n" + key + " =") || has("[" + key + "]"))
+          << table << key;
     }
   }
 }

@@ -249,7 +249,8 @@ std::string zsh(const Json& commands) {
     names += "    " + shell_quoted(name + ":" + text_of(command, "summary")) + "\n";
     std::string arguments;
     for (const Json& option : command.at("options")) {
-      const std::string help = replace_all_copy(replace_all_copy(text_of(option, "help"), "[", "\\["), "]", "\\]");
+      const std::string help =
+          replace_all_copy(replace_all_copy(text_of(option, "help"), "[", "\\["), "]", "\\]");
       const bool takes_value = option.at("takes_value").get<bool>();
       if (is_positional(option))
         arguments += " \\\n        " + shell_quoted(":" + zsh_value(option));

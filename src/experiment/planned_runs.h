@@ -123,8 +123,9 @@ struct Forecast {
 };
 
 /// Foretells from the time of evaluations in the box of every problem, of two short runs of every
-/// solver and of some runs that do nothing, which are made for this purpose. Too low if solvers become slower with the number
-/// of variables or evaluations; too high if runs end before their budget is spent.
+/// solver and of some runs that do nothing, which are made for this purpose. Too low if solvers
+/// become slower with the number of variables or evaluations; too high if runs end before their
+/// budget is spent.
 Forecast forecast_of(const Campaign& campaign);
 
 /// A campaign whose runs are made on other machines: one process keeps the store, others make the

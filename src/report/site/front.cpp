@@ -15,8 +15,7 @@ namespace ricochet::site {
 
 namespace {
 
-constexpr const char* other_version =
-    "Its data are another version's: the command writes it again.";
+constexpr const char* other_version = "Its data are of another version: run the command again.";
 
 /// Splits a link in a report's page into the folder and the anchor with its #.
 std::pair<std::string, std::string> place_of(const std::string& report, const std::string& to) {

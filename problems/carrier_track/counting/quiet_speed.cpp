@@ -244,10 +244,17 @@ void visit_constants(Scene& scene, const Use& use) {
   visit_clearance(*scene.across, "across.clearance", use);
 }
 
+/// All that may be scaled: the constants, and from which speed on an impact counts.
+template <class Use>
+void visit_levers(Scene& scene, const Use& use) {
+  visit_constants(scene, use);
+  if (scene.rule == CountRule::impacts) use("counting_limit", scene.counting_limit);
+}
+
 /// The sum over the walls of what has a value for each, of which one may be 0.
 double value_of(Scene scene, const std::string& wanted) {
   double value = 0;
-  visit_constants(scene, [&](const std::string& key, double x) {
+  visit_levers(scene, [&](const std::string& key, double x) {
     if (key == wanted) value += x;
   });
   return value;
@@ -286,8 +293,14 @@ std::vector<std::string> constants_of(const Scene& scene) {
   return keys;
 }
 
+std::vector<std::string> levers_of(const Scene& scene) {
+  std::vector<std::string> keys = constants_of(scene);
+  if (scene.rule == CountRule::impacts) keys.emplace_back("counting_limit");
+  return keys;
+}
+
 Scene scaled(Scene scene, const std::string& wanted, double factor) {
-  visit_constants(scene, [&](const std::string& key, double& x) {
+  visit_levers(scene, [&](const std::string& key, double& x) {
     if (key == wanted) x *= factor;
   });
   return scene;
@@ -311,7 +324,7 @@ std::optional<double> divide_near(const Scene& scene, const Limit& limit, double
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega) {
   check_near(scene, omega);
   constexpr double percent = 0.01;
-  const std::vector<std::string> keys = constants_of(scene);
+  const std::vector<std::string> keys = levers_of(scene);
   std::vector<std::optional<double>> divides(2 * keys.size());
   in_parallel("sensitivities", divides.size(), [&](std::size_t i) {
     const double factor = i % 2 == 0 ? 1 - percent : 1 + percent;

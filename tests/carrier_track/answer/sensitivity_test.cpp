@@ -81,6 +81,26 @@ TEST(Sensitivity, AddsUpToNothingOverAllThatHasAMassInItsUnit) {
   EXPECT_GE(std::abs(all.front().percent), std::abs(all.back().percent));
 }
 
+TEST(Sensitivity, HasTheCountingLimitWhereImpactsCount) {
+  // By the staircase itself: the long run's border of C1 is where an impact reaches the limit.
+  Scene scene = scene_of(find_case("C1"), default_machine());
+  const Limit limit{Measure::collisions_per_turn, 2};
+  const auto border = [&](double factor) {
+    Scene changed = scene;
+    changed.counting_limit *= factor;
+    return divide_near(changed, limit, 8.08).value();
+  };
+  const double exponent = std::log(border(1.02) / border(0.98)) / std::log(1.02 / 0.98);
+  const auto all = sensitivities(scene, limit, 8.08);
+  EXPECT_EQ(all.front().key, "counting_limit") << "the strongest of all";
+  EXPECT_NEAR(all.front().percent, exponent, 0.01);
+  EXPECT_GT(exponent, 0.8);
+  scene.rule = CountRule::peaks;
+  EXPECT_THAT(levers_of(scene), testing::Not(testing::Contains("counting_limit")));
+  EXPECT_THAT(constants_of(scene), testing::Not(testing::Contains("counting_limit")))
+      << "a tolerance of manufacture does not change it";
+}
+
 TEST(Sensitivity, RefusesWhatIsInvalid) {
   Scene broken = held();
   broken.mass = -1;

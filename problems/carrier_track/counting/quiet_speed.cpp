@@ -239,22 +239,16 @@ void visit_constants(Scene& scene, const Use& use) {
     visit_model_fields(EachConstant("", use), scene);
   }
   visit_clearance(scene, "clearance", use);
+  if (scene.rule == CountRule::impacts) use("counting_limit", scene.counting_limit);
   if (!scene.across) return;
   visit_across_fields(EachConstant("across.", use), *scene.across);
   visit_clearance(*scene.across, "across.clearance", use);
 }
 
-/// All that may be scaled: the constants, and from which speed on an impact counts.
-template <class Use>
-void visit_levers(Scene& scene, const Use& use) {
-  visit_constants(scene, use);
-  if (scene.rule == CountRule::impacts) use("counting_limit", scene.counting_limit);
-}
-
 /// The sum over the walls of what has a value for each, of which one may be 0.
 double value_of(Scene scene, const std::string& wanted) {
   double value = 0;
-  visit_levers(scene, [&](const std::string& key, double x) {
+  visit_constants(scene, [&](const std::string& key, double x) {
     if (key == wanted) value += x;
   });
   return value;
@@ -293,14 +287,8 @@ std::vector<std::string> constants_of(const Scene& scene) {
   return keys;
 }
 
-std::vector<std::string> levers_of(const Scene& scene) {
-  std::vector<std::string> keys = constants_of(scene);
-  if (scene.rule == CountRule::impacts) keys.emplace_back("counting_limit");
-  return keys;
-}
-
 Scene scaled(Scene scene, const std::string& wanted, double factor) {
-  visit_levers(scene, [&](const std::string& key, double& x) {
+  visit_constants(scene, [&](const std::string& key, double& x) {
     if (key == wanted) x *= factor;
   });
   return scene;
@@ -324,7 +312,7 @@ std::optional<double> divide_near(const Scene& scene, const Limit& limit, double
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega) {
   check_near(scene, omega);
   constexpr double percent = 0.01;
-  const std::vector<std::string> keys = levers_of(scene);
+  const std::vector<std::string> keys = constants_of(scene);
   std::vector<std::optional<double>> divides(2 * keys.size());
   in_parallel("sensitivities", divides.size(), [&](std::size_t i) {
     const double factor = i % 2 == 0 ? 1 - percent : 1 + percent;
@@ -369,7 +357,8 @@ std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& l
   if (!(tolerance >= 0 && tolerance <= 0.5)) {
     throw InputError(fmt::format("tolerance = {}: must be within 0..0.5", tolerance));
   }
-  const std::vector<std::string> keys = constants_of(scene);
+  std::vector<std::string> keys = constants_of(scene);
+  std::erase(keys, "counting_limit");  // no part of the machine
   Random random(seed);
   std::vector<Scene> drawn;
   for (int i = 0; i < machines; ++i) {

@@ -18,14 +18,11 @@ namespace ricochet::carrier_track::inline answer {
 void check_near(const Scene& scene, double omega, int machines = 1);
 
 /// The constants of a scene that are not zero, by their keys; `clearance` stands for the walls,
-/// because only their distance matters. Limits of the rule and angles are not included.
+/// because only their distance matters. Where impacts count, the counting limit is among them: it
+/// is no part of the machine, but moves the speed as a constant does. Angles are not included.
 std::vector<std::string> constants_of(const Scene& scene);
 
-/// What the fastest quiet speed depends on: the constants and, where impacts count, the counting
-/// limit. It is no part of the machine, but often matters more than any constant.
-std::vector<std::string> levers_of(const Scene& scene);
-
-/// The scene with the lever of that key multiplied by `factor` > 0. Restitutions never exceed 1,
+/// The scene with the constant of that key multiplied by `factor` > 0. Restitutions never exceed 1,
 /// and the start keeps its share of the clearance. An unknown key changes nothing.
 Scene scaled(Scene scene, const std::string& key, double factor);
 
@@ -39,8 +36,8 @@ struct Sensitivity {
   double percent;  ///< rise of the dividing speed [%] per 1 % rise of the constant
 };
 
-/// The sensitivities to every lever, from changes by 1 % up and down; the largest first. Omits one
-/// if a changed scene has no dividing speed. Throws InputError, see check_near().
+/// The sensitivities to every constant, from changes by 1 % up and down; the largest first. Omits
+/// one if a changed scene has no dividing speed. Throws InputError, see check_near().
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega);
 
 /// Dividing speeds of machines whose constants each deviate by up to a tolerance.

@@ -138,7 +138,7 @@ TEST(Regimes, OfTheFirstCaseMoveWithTheCountingLimitAsTheDocumentsSay) {
     EXPECT_THAT(readme, HasSubstr(fmt::format(" {:.2f} %", percent))) << key;
   }
   for (const auto& [limit, words] :
-       {std::pair("1", "1 mm/s that speed is {:.2f} rad/s"), std::pair("10", "10 mm/s {:.2f};")}) {
+       {std::pair("1", "1 mm/s that speed is {:.2f} rad/s"), std::pair("10", "10 mm/s {:.2f}. ")}) {
     const double speed =
         answer(fmt::format(" --set 'counting_limit={} mm/s'", limit))["fastest_quiet"];
     EXPECT_THAT(readme, HasSubstr(fmt::format(fmt::runtime(words), speed))) << limit;

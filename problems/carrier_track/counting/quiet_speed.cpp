@@ -232,6 +232,9 @@ void visit_clearance(Owner& owner, const std::string& key, const Use& use) {
   owner.start_position = std::min(owner.wall_upper, owner.wall_lower + share * clearance);
 }
 
+constexpr const char* counting_limit = "counting_limit";
+
+/// The constants and, where impacts count, the counting limit.
 template <class Use>
 void visit_constants(Scene& scene, const Use& use) {
   visit_scene_fields(EachConstant("", use), scene);
@@ -239,7 +242,7 @@ void visit_constants(Scene& scene, const Use& use) {
     visit_model_fields(EachConstant("", use), scene);
   }
   visit_clearance(scene, "clearance", use);
-  if (scene.rule == CountRule::impacts) use("counting_limit", scene.counting_limit);
+  if (scene.rule == CountRule::impacts) use(counting_limit, scene.counting_limit);
   if (!scene.across) return;
   visit_across_fields(EachConstant("across.", use), *scene.across);
   visit_clearance(*scene.across, "across.clearance", use);
@@ -282,7 +285,8 @@ std::vector<std::string> constants_of(const Scene& scene) {
   std::vector<std::string> keys;
   Scene copy = scene;
   visit_constants(copy, [&](const std::string& key, double x) {
-    if (x != 0 && (keys.empty() || keys.back() != key)) keys.push_back(key);
+    const bool known = !keys.empty() && keys.back() == key;
+    if (x != 0 && !known && key != counting_limit) keys.push_back(key);
   });
   return keys;
 }
@@ -312,7 +316,8 @@ std::optional<double> divide_near(const Scene& scene, const Limit& limit, double
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega) {
   check_near(scene, omega);
   constexpr double percent = 0.01;
-  const std::vector<std::string> keys = constants_of(scene);
+  std::vector<std::string> keys = constants_of(scene);
+  if (scene.rule == CountRule::impacts) keys.emplace_back(counting_limit);
   std::vector<std::optional<double>> divides(2 * keys.size());
   in_parallel("sensitivities", divides.size(), [&](std::size_t i) {
     const double factor = i % 2 == 0 ? 1 - percent : 1 + percent;
@@ -357,8 +362,7 @@ std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& l
   if (!(tolerance >= 0 && tolerance <= 0.5)) {
     throw InputError(fmt::format("tolerance = {}: must be within 0..0.5", tolerance));
   }
-  std::vector<std::string> keys = constants_of(scene);
-  std::erase(keys, "counting_limit");  // no part of the machine
+  const std::vector<std::string> keys = constants_of(scene);
   Random random(seed);
   std::vector<Scene> drawn;
   for (int i = 0; i < machines; ++i) {

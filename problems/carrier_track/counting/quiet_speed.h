@@ -36,8 +36,10 @@ struct Sensitivity {
   double percent;  ///< rise of the dividing speed [%] per 1 % rise of the constant
 };
 
-/// The sensitivities to every constant, from changes by 1 % up and down; the largest first. Omits
-/// one if a changed scene has no dividing speed. Throws InputError, see check_near().
+/// The sensitivities to every constant and, where impacts count, to the counting limit, which is no
+/// part of the machine but moves the speed as a constant does: from changes by 1 % up and down; the
+/// largest first. Omits one if a changed scene has no dividing speed. Throws InputError, see
+/// check_near().
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega);
 
 /// Dividing speeds of machines whose constants each deviate by up to a tolerance.

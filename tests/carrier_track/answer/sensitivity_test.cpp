@@ -95,22 +95,8 @@ TEST(Sensitivity, HasTheCountingLimitWhereImpactsCount) {
   std::map<std::string, double> by_key;
   for (const Sensitivity& s : sensitivities(scene, limit, 8.08)) by_key[s.key] = s.percent;
   EXPECT_NEAR(by_key.at("counting_limit"), exponent, 0.01);
-  scene.rule = CountRule::peaks;
-  EXPECT_THAT(constants_of(scene), testing::Not(testing::Contains("counting_limit")));
-}
-
-TEST(Sensitivity, OfAToleranceIsThatOfManufacture) {
-  // Only the counting limit could move the border of a machine whose constants are all exact.
-  Scene scene = scene_of(find_case("C1"), default_machine());
-  const Limit limit{Measure::collisions_per_turn, 2};
-  const auto range = tolerance_range(scene, limit, 8.08, 0, 5, 1);
-  ASSERT_TRUE(range);
-  EXPECT_EQ(range->lowest, range->highest);
-  const auto wide = tolerance_range(scene, limit, 8.08, 0.05, 20, 1);
-  scene.counting_limit *= 1.0000001;
-  const auto same = tolerance_range(scene, limit, 8.08, 0.05, 20, 1);
-  ASSERT_TRUE(wide && same);
-  EXPECT_NEAR(wide->lowest, same->lowest, 1e-5);
+  EXPECT_THAT(constants_of(scene), testing::Not(testing::Contains("counting_limit")))
+      << "drawn machines and tolerances are those of manufacture";
 }
 
 TEST(Sensitivity, RefusesWhatIsInvalid) {

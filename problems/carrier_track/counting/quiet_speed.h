@@ -18,8 +18,7 @@ namespace ricochet::carrier_track::inline answer {
 void check_near(const Scene& scene, double omega, int machines = 1);
 
 /// The constants of a scene that are not zero, by their keys; `clearance` stands for the walls,
-/// because only their distance matters. Where impacts count, the counting limit is among them: it
-/// is no part of the machine, but moves the speed as a constant does. Angles are not included.
+/// because only their distance matters. Limits of the rule and angles are not included.
 std::vector<std::string> constants_of(const Scene& scene);
 
 /// The scene with the constant of that key multiplied by `factor` > 0. Restitutions never exceed 1,

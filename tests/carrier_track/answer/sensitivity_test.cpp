@@ -19,7 +19,7 @@ TEST(Sensitivity, KnowsTheConstantsThatAreNotZero) {
   EXPECT_THAT(
       constants_of(held()),
       testing::UnorderedElementsAre("mass", "friction", "normal_force", "centrifugal_mass_radius",
-                                    "disturbance_frequency", "clearance", "counting_limit"));
+                                    "disturbance_frequency", "clearance"));
   Scene scene = held();
   scene.restitution_lower = 0.5;
   scene.across.emplace();

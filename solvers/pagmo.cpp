@@ -81,6 +81,11 @@ using Minimise =
 
 Solver pagmo_solver(const std::string& name, const Capabilities& capabilities, Minimise minimise);
 
+/// The population size given, or else `usual`.
+Eigen::Index size_of(const std::optional<int>& given, Eigen::Index usual) {
+  return given ? *given : usual;
+}
+
 /// The option "population"; `usual` describes its default in words.
 constexpr Field population_option(int least, const char* usual) {
   return whole_option("population", least, 1e4, usual);
@@ -205,16 +210,13 @@ void run_cmaes(UnitBox& box, const Vector& start, Eigen::Index size, double init
       .evolve(population);
 }
 
-Eigen::Index size_of(const CmaesOptions& options, const Vector& start) {
-  return options.population ? *options.population : evolution_size(start.size());
-}
-
 Solver cmaes(const std::string& name, const CmaesOptions& options) {
   return pagmo_solver(
       name, pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
         UnitBox box(evaluator);
-        run_cmaes(box, start, size_of(options, start), options.initial_step, random);
+        run_cmaes(box, start, size_of(options.population, evolution_size(start.size())),
+                  options.initial_step, random);
         return {converged};
       });
 }
@@ -225,7 +227,8 @@ Solver cmaes_ipop(const RestartedCmaesOptions& options) {
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
         UnitBox box(evaluator);
         Vector from = start;
-        for (Eigen::Index size = size_of(options.cmaes, start);; size *= options.growth) {
+        for (Eigen::Index size = size_of(options.cmaes.population, evolution_size(start.size()));;
+             size *= options.growth) {
           run_cmaes(box, from, size, options.cmaes.initial_step, random);
           from = uniform_point(evaluator.lower(), evaluator.upper(), random);
         }
@@ -316,7 +319,7 @@ void visit_fields(const Visit& visit, O&... o) {
 /// The population of a search from this start: of the size given, or else the usual one.
 pagmo::population population_of(UnitBox& box, const Vector& start, const std::optional<int>& size,
                                 Random& random) {
-  return population_of(box, start, size ? Eigen::Index{*size} : usual_size(start.size()), random);
+  return population_of(box, start, size_of(size, usual_size(start.size())), random);
 }
 
 SolverTermination minimise_constrained(const ConstrainedEvolutionOptions& options,
@@ -589,8 +592,7 @@ Solver xnes(const XnesOptions& options) {
       "xnes", pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
         UnitBox box(evaluator);
-        const Eigen::Index size =
-            options.population ? *options.population : evolution_size(start.size());
+        const Eigen::Index size = size_of(options.population, evolution_size(start.size()));
         const pagmo::population population = population_of(box, start, size, random);
         pagmo::xnes(endless, automatic, automatic, automatic,
                     options.initial_step.value_or(automatic), pagmo_value_tolerance,

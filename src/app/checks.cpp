@@ -82,10 +82,10 @@ int verify(const VerifyOptions& options, const std::string& folder) {
   }
   studies::Finished finished =
       studies::run(studies::verification_study(options.verification), false, folder);
-  const bool failed = finished.data["failed"].get<bool>();
+  const bool failed = finished.data["values"]["failed"].get<bool>();
   if (options.json) {
     const Json seconds = finished.data["made"]["seconds"];
-    for (const char* key : {"report", "made", "failed"}) finished.data.erase(key);
+    for (const char* key : {"report", "made"}) finished.data.erase(key);
     finished.data["seconds"] = seconds;
     fmt::print("{}\n", finished.data.dump(2));
   } else {

@@ -62,6 +62,9 @@ struct HeatMap {
   std::vector<std::vector<std::optional<double>>>
       rows;                         ///< a row for each category of y, a cell for each category of x
   std::optional<Range> range = {};  ///< of the colours, for maps that are compared
+  /// Where the cells lead: what stands in a link for the row and for the column, joined. In the order
+  /// of the axes; empty: nowhere.
+  std::vector<std::string> row_links = {}, column_links = {};
 };
 
 enum class Direction { vertical, horizontal };

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
 #include "embedded/template_comparison.h"
@@ -22,10 +23,10 @@
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
-#include "embedded/template_verification.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
+#include "src/report/markdown_page.h"
 #include "src/report/page_template.h"
 #include "src/report/text.h"
 
@@ -51,13 +52,18 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
     {"calibration", embedded::template_calibration},
-    {"verification", embedded::template_verification},
+    {"verification", embedded::page_verification},
     {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},
     {"fireworks", embedded::template_fireworks},
 };
 
 constexpr const char* data_file = "data.json";
+
+/// The text of data.json. Pages of Markdown have data that are rounded already.
+std::string text_of_data(const std::string& sheet, const Json& data) {
+  return is_page_source(sheet) ? json_text(data) : data_text(data, kept_digits(sheet));
+}
 
 /// Writes the data of a report, and of its further pages.
 void write_data(Json data, const fs::path& folder) {
@@ -69,11 +75,20 @@ void write_data(Json data, const fs::path& folder) {
     }
   }
   const std::string sheet = page_template(data.at("report").get<std::string>());
-  add_files(folder, {{data_file, data_text(data, kept_digits(sheet))}});
+  add_files(folder, {{data_file, text_of_data(sheet, data)}});
+}
+
+WrittenReport draw_markdown_page(const PageSource& page, const Json& data, const fs::path& folder) {
+  const Results results = results_of(data);
+  auto [files, failures] = page_files(page, results);
+  files[data_file] = json_text(data);
+  replace_files(folder, files);
+  return {terminal_text(page, results), std::move(failures)};
 }
 
 WrittenReport draw_page(Json data, const fs::path& folder) {
   const std::string sheet = page_template(data.at("report").get<std::string>());
+  if (is_page_source(sheet)) return draw_markdown_page(page_source(sheet), data, folder);
   DrawnPage drawing = drawn(sheet, data, Mismatch::costs_its_chart);
   FileSet files = std::move(drawing.tables);
   if (drawing.headline.version > 0) data["headline"] = std::move(drawing.headline);
@@ -141,9 +156,32 @@ std::string page_template(const std::string& name) {
       fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
 }
 
+std::vector<std::string> page_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : templates) names.emplace_back(name);
+  return names;
+}
+
+Results results_of(const Json& data) {
+  Results results = results_in(data);
+  for (const auto& [name, value] : data.value("made", Json::object()).items()) {
+    if (value.is_string()) results.set("made." + name, value.get<std::string>());
+    if (value.is_number()) results.set("made." + name, value.get<double>());
+    if (value.is_boolean()) results.set("made." + name, value.get<bool>());
+  }
+  return results;
+}
+
 std::vector<ReportKind> report_kinds() {
   std::vector<ReportKind> kinds;
   for (const auto& [name, text] : templates) {
+    if (is_page_source(text)) {
+      const auto keys = page_source(text).keys;
+      if (keys.contains("command"))
+        kinds.push_back({std::string(name), keys.at("group"), keys.at("label"), keys.at("question"),
+                         keys.at("command")});
+      continue;
+    }
     const toml::table file = toml::parse(text);
     const toml::table* headline = file["headline"].as_table();
     if (headline == nullptr || !headline->contains("command")) continue;

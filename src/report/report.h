@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/report/json.h"
+#include "src/report/results.h"
 
 namespace ricochet::report {
 
@@ -40,6 +41,12 @@ RICOCHET_FIELDS(ReportKind, name, group, label, question, command);
 
 /// Returns all kinds: the templates whose headline has a command, in the order of a site.
 std::vector<ReportKind> report_kinds();
+
+/// The names of all templates and pages.
+std::vector<std::string> page_names();
+
+/// The results in the data of a report, with how it was made: made.date, made.seconds, ...
+Results results_of(const Json& data);
 
 /// Returns the text of a template in reports/templates. Throws InputError for an unknown name.
 std::string page_template(const std::string& name);

@@ -304,8 +304,6 @@ std::string filled(const std::string& text, const Scopes& scopes) {
   return result;
 }
 
-namespace {
-
 Json rounded(double number, int digits) {
   constexpr double exact = 9007199254740992.0;  // 2^53: whole numbers below it are exact
   if (!std::isfinite(number)) return nullptr;
@@ -319,17 +317,19 @@ Json rounded(double number, int digits) {
   return kept;
 }
 
+namespace {
+
 constexpr int deepest_data = 100;  // functions here call themselves for every level
 
 /// NOTE: an entry of a list is rounded by the name of the list.
-Json rounded(Json data, const Digits& known, int digits) {
+Json all_rounded(Json data, const Digits& known, int digits) {
   if (data.is_number_float()) return rounded(data.get<double>(), digits);
   if (data.is_array()) {
-    for (Json& entry : data) entry = rounded(std::move(entry), known, digits);
+    for (Json& entry : data) entry = all_rounded(std::move(entry), known, digits);
   } else if (data.is_object()) {
     for (auto& [name, value] : data.items()) {
       const auto own = known.find(name);
-      value = rounded(std::move(value), known, own == known.end() ? usual_digits : own->second);
+      value = all_rounded(std::move(value), known, own == known.end() ? usual_digits : own->second);
     }
   }
   return data;
@@ -389,8 +389,12 @@ class Writer {
 
 }  // namespace
 
+std::string json_text(const Json& data) {
+  return Writer().text(data);
+}
+
 std::string data_text(const Json& data, const Digits& digits) {
-  return Writer().text(packed(rounded(data, digits, usual_digits)));
+  return Writer().text(packed(all_rounded(data, digits, usual_digits)));
 }
 
 Json data_in(const std::string& text) {
@@ -399,7 +403,11 @@ Json data_in(const std::string& text) {
       throw std::logic_error(fmt::format("is nested deeper than {}", deepest_data));
     return true;
   };
-  return unpacked(Json::parse(text, shallow));
+  Json data = Json::parse(text, shallow);
+  // NOTE: tables of pages of Markdown keep their columns.
+  const bool has_results = data.is_object() && data.contains("report") &&
+                           (data.contains("tables") || data.contains("values"));
+  return has_results ? data : unpacked(data);
 }
 
 }  // namespace ricochet::report

@@ -77,6 +77,13 @@ using Digits = std::map<std::string, int, std::less<>>;
 std::string data_text(const Json& data, const Digits& digits = {});
 inline constexpr int usual_digits = 6;
 
+/// The number with as many significant digits as data.json keeps; whole numbers below 2^53 exactly;
+/// null if it is not finite.
+Json rounded(double number, int digits);
+
+/// Returns the text of JSON with short lines, so that diffs are readable.
+std::string json_text(const Json& data);
+
 /// Parses such a text, or any JSON. Throws Json::exception if it is not JSON.
 Json data_in(const std::string& text);
 

@@ -13,6 +13,7 @@
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
+#include "src/report/markdown_page.h"
 #include "src/report/page_template.h"
 #include "src/report/text.h"
 
@@ -209,9 +210,38 @@ std::optional<T> read(const Json& data, const char* key) {
   }
 }
 
+/// The headline of a page of Markdown.
+std::optional<report::Headline> headline_of(const report::PageSource& page, const Json& data) {
+  try {
+    const report::Results results = report::results_of(data);
+    const auto key = [&](const char* name) {
+      const auto found = page.keys.find(name);
+      return found == page.keys.end() ? "" : report::filled_line(found->second, results);
+    };
+    report::Headline headline{.version = report::headline_version,
+                              .title = report::title_of(page, results),
+                              .finding = key("finding"),
+                              .command = key("made_by")};
+    if (!page.keys.contains("command")) {
+      headline.group = key("group");
+      headline.label = key("label");
+    }
+    return headline;
+  } catch (const std::exception&) {  // the page needs data that are missing
+    return std::nullopt;
+  }
+}
+
 /// Reads the headline with the parts repeated from the page. Nothing if the data are of another
 /// version.
 std::optional<report::Headline> headline_of(const Json& data) {
+  if (const auto kind = read<std::string>(data, "report")) {
+    for (const std::string& known : report::page_names()) {
+      const std::string sheet = report::page_template(known);
+      if (known == *kind && report::is_page_source(sheet))
+        return headline_of(report::page_source(sheet), data);
+    }
+  }
   const auto kept = read<report::Headline>(data, "headline");
   if (!kept || kept->version != report::headline_version) return std::nullopt;
   try {

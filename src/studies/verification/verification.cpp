@@ -1,6 +1,7 @@
 #include "src/studies/verification/verification.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,6 +17,8 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "src/core/progress.h"
+#include "src/report/results.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::verification {
 
@@ -49,33 +52,38 @@ namespace {
 using namespace carrier_track;
 using verification::SceneTally;
 
-/// The quiet speeds of a case: 0.01, 0.02, ... rad/s below its threshold.
-struct QuietSpeeds {
-  std::string case_;
-  std::optional<double> threshold;  ///< [rad/s]
-  int speeds;
-  double certain;  ///< share
-  int compared, wrong_certain, wrong_uncertain;
-  std::vector<double> wrong_at;  ///< [rad/s], where a certain count is wrong
-};
-RICOCHET_FIELDS(QuietSpeeds, case_, threshold, speeds, certain, compared, wrong_certain,
-                wrong_uncertain, wrong_at);
-
+/// Comparisons of scenes with the oracle, and what is wrong in them.
 struct Verification {
-  int seed;
-  std::vector<SceneTally> scenes;      ///< one for each hostility, then all
-  std::vector<std::size_t> wrong;      ///< numbers of the scenes whose certain count is wrong
-  std::vector<std::size_t> unmatched;  ///< called certain, with an unmatched impact
-  std::vector<QuietSpeeds> quiet_speeds;
-  bool failed;
+  Table scenes{"scenes",
+               {{"scenes"},
+                {"number"},
+                {"capped"},
+                {"certain", "certain [%]", ".2%"},
+                {"wrong_certain", "wrong, called certain"},
+                {"wrong_uncertain", "wrong, called uncertain"},
+                {"missed"},
+                {"spurious"},
+                {"matched"},
+                {"time_error", "time error [s]", ".1e"},
+                {"speed_error", "speed error [m/s]", ".1e"}}};
+  Table quiet_speeds{"quiet-speeds",
+                     {{"case"},
+                      {"threshold", "threshold [rad/s]", ".4f"},
+                      {"speeds"},
+                      {"certain", "certain [%]", ".2%"},
+                      {"compared"},
+                      {"wrong_certain", "wrong, called certain"},
+                      {"wrong_uncertain", "wrong, called uncertain"}}};
+  std::vector<std::string> wrong;      ///< scenes whose certain count is wrong
+  std::vector<std::string> unmatched;  ///< called certain, with an unmatched impact
+  std::vector<std::string> wrong_speeds;
 };
-RICOCHET_FIELDS(Verification, seed, scenes, wrong, unmatched, quiet_speeds, failed);
 
 bool is_wrong(const Comparison& c) {
   return c.compared && c.certain && !c.agrees();
 }
 
-Verification compare_scenes(const VerificationOptions& options) {
+void compare_scenes(const VerificationOptions& options, Verification& found) {
   std::vector<Comparison> comparisons(static_cast<std::size_t>(options.scenes));
   {
     Progress progress("setting scenes against the oracle", options.scenes);
@@ -84,22 +92,27 @@ Verification compare_scenes(const VerificationOptions& options) {
       progress.advance(1);
     });
   }
-  Verification data{options.seed, {}, {}, {}, {}, false};
-  for (const Hostility h : all_hostilities()) data.scenes.push_back({std::string(name_of(h))});
-  const std::size_t kinds = data.scenes.size();
-  data.scenes.push_back({"all"});
+  std::vector<SceneTally> tallies;
+  for (const Hostility h : all_hostilities()) tallies.push_back({std::string(name_of(h))});
+  const std::size_t kinds = tallies.size();
+  tallies.push_back({"all"});
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];
-    data.scenes[i % kinds].add(c);
-    data.scenes.back().add(c);
-    if (is_wrong(c)) data.wrong.push_back(i);
-    if (c.compared && c.certain && c.missed + c.spurious > 0) data.unmatched.push_back(i);
+    tallies[i % kinds].add(c);
+    tallies.back().add(c);
+    if (is_wrong(c)) found.wrong.push_back(fmt::format("scene {}", i));
+    if (c.compared && c.certain && c.missed + c.spurious > 0)
+      found.unmatched.push_back(fmt::format("scene {}", i));
   }
-  return data;
+  for (const SceneTally& t : tallies) {
+    found.scenes.add(t.name, t.scenes, t.broken_off, t.certain, t.wrong_certain, t.wrong_uncertain,
+                     t.missed, t.spurious, t.matched, t.time_error, t.speed_error);
+  }
 }
 
-/// Compares every tenth of the speeds with the oracle.
-QuietSpeeds compare_quiet_speeds(const Case& a_case, const Scene& in_interpretation) {
+/// Compares every tenth of the speeds below a case's threshold, 0.01, 0.02, ... rad/s, with the
+/// oracle.
+void compare_quiet_speeds(const Case& a_case, const Scene& in_interpretation, Verification& found) {
   constexpr double step = 0.01;
   constexpr int stride = 10;
   const auto threshold = score(in_interpretation, a_case.claim, ScanOptions{}).threshold;
@@ -115,33 +128,46 @@ QuietSpeeds compare_quiet_speeds(const Case& a_case, const Scene& in_interpretat
     if ((i + 1) % stride == 0) comparisons[at / stride] = compare(scene);
   });
   SceneTally tally{a_case.id};
-  std::vector<double> wrong_at;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     tally.add(comparisons[i]);
-    if (is_wrong(comparisons[i])) wrong_at.push_back(static_cast<double>(i + 1) * stride * step);
+    if (is_wrong(comparisons[i])) {
+      found.wrong_speeds.push_back(
+          fmt::format("{} at {:.2f} rad/s", a_case.id, static_cast<double>(i + 1) * stride * step));
+    }
   }
   const auto sure = static_cast<double>(std::count(certain.begin(), certain.end(), true));
-  return {a_case.id,
-          threshold,
-          speeds,
-          speeds > 0 ? sure / speeds : 0.0,
-          tally.compared(),
-          tally.wrong_certain,
-          tally.wrong_uncertain,
-          std::move(wrong_at)};
+  found.quiet_speeds.add(a_case.id, threshold, speeds, speeds > 0 ? sure / speeds : 0.0,
+                         tally.compared(), tally.wrong_certain, tally.wrong_uncertain);
 }
 
-Verification compute(const VerificationOptions& options) {
-  Verification data = compare_scenes(options);
-  data.failed = !data.wrong.empty();
+/// "Wrong: scene 3, scene 8"; nothing for none.
+std::optional<std::string> listed(const std::string& what, const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  return fmt::format("{}: {}.", what, fmt::join(names, ", "));
+}
+
+report::Results compute(const VerificationOptions& options) {
+  Verification found;
+  compare_scenes(options, found);
   const std::vector<Case> cases = all_cases();
   Progress progress("setting quiet speeds against the oracle", static_cast<double>(cases.size()));
   for (const Case& a_case : cases) {
-    data.quiet_speeds.push_back(compare_quiet_speeds(a_case, scene_of(a_case, default_machine())));
-    data.failed = data.failed || !data.quiet_speeds.back().wrong_at.empty();
+    compare_quiet_speeds(a_case, scene_of(a_case, default_machine()), found);
     progress.advance(1);
   }
-  return data;
+  const bool failed = !found.wrong.empty() || !found.wrong_speeds.empty();
+  report::Results results;
+  results.set("failed", failed);
+  results.set("seed", options.seed);
+  results.set("finding", failed ? "There is a count called certain that is wrong."
+                                : "No count called certain is wrong.");
+  results.set("wrong", listed("WRONG: the certain count of", found.wrong));
+  results.set("unmatched", listed("Called certain, with an impact that the oracle does not have",
+                                  found.unmatched));
+  results.set("wrong-speeds", listed("WRONG: the certain count of", found.wrong_speeds));
+  results.add(std::move(found.scenes));
+  results.add(std::move(found.quiet_speeds));
+  return results;
 }
 
 }  // namespace
@@ -150,7 +176,7 @@ Study verification_study(const VerificationOptions& options) {
   if (options.scenes < 1 || options.scenes > 100'000'000) {
     throw InputError(fmt::format("--scenes {}: must be within 1..100000000", options.scenes));
   }
-  return {"verification", "", [options](bool /*quick*/) { return compute(options); }};
+  return {"verification", "", [options](bool /*quick*/) { return json_of(compute(options)); }};
 }
 
 }  // namespace ricochet::studies

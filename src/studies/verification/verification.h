@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "problems/carrier_track/check/oracle.h"
-#include "src/report/json.h"
 #include "src/report/site/study.h"
 
 namespace ricochet::studies::verification {
@@ -27,8 +26,6 @@ struct SceneTally {
   /// Comparisons that the oracle did not break off.
   int compared() const { return scenes - broken_off; }
 };
-RICOCHET_FIELDS(SceneTally, name, scenes, broken_off, certain, wrong_certain, wrong_uncertain,
-                missed, spurious, matched, time_error, speed_error);
 
 }  // namespace ricochet::studies::verification
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "ricochet/error.h"
-#include "src/report/page_template.h"
+#include "src/report/markdown_page.h"
 #include "src/report/report.h"
 #include "src/studies/verification/verification.h"
 
@@ -12,42 +12,34 @@ using report::Json;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Results as the study makes them, with two counts that are wrong.
-Json failed_results() {
-  const Json row = {{"name", "graze"},    {"scenes", 3},        {"broken_off", 0},
-                    {"certain", 1.0},     {"wrong_certain", 1}, {"wrong_uncertain", 0},
-                    {"missed", 1},        {"spurious", 0},      {"matched", 7},
-                    {"time_error", 1e-9}, {"speed_error", 2e-9}};
-  const Json speeds = {{"case", "C1"},         {"threshold", nullptr}, {"speeds", 10},
-                       {"certain", 0.9},       {"compared", 1},        {"wrong_certain", 1},
-                       {"wrong_uncertain", 0}, {"wrong_at", {0.1}}};
-  return {{"made", {{"version", "1"}, {"compiler", "GCC"}, {"threads", 2}, {"seconds", 1.25}}},
-          {"seed", 1},
-          {"scenes", {row}},
-          {"wrong", {2}},
-          {"unmatched", {2}},
-          {"quiet_speeds", {speeds}},
-          {"failed", true}};
-}
-
 TEST(Verification, SaysWhichScenesAreWrong) {
-  const auto drawing = report::drawn(report::page_template("verification"), failed_results());
-  EXPECT_THAT(drawing.epilogue, HasSubstr("WRONG: the certain count of scene 2\n"));
-  EXPECT_THAT(drawing.epilogue, HasSubstr("WRONG: C1 at 0.10 rad/s\n"));
-  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("There is a count called certain"));
-  EXPECT_THAT(drawing.page.sections.front().paragraphs, testing::Contains("Wrong: scene 2"));
+  report::Results results;
+  results.set("seed", 1);
+  results.set("finding", "There is a count called certain that is wrong.");
+  results.set("wrong", "WRONG: the certain count of: scene 2.");
+  results.set("unmatched", std::optional<std::string>());
+  results.set("wrong-speeds", "WRONG: the certain count of: C1 at 0.10 rad/s.");
+  results.add(Table{"scenes"});
+  results.add(Table{"quiet-speeds"});
+  for (const char* name : {"version", "compiler", "threads", "seconds", "date"})
+    results.set(std::string("made.") + name, "1");
+  const auto page = report::page_source(report::page_template("verification"));
+  EXPECT_THAT(filled_page(page, results), HasSubstr("\nWRONG: the certain count of: scene 2.\n"));
+  EXPECT_THAT(terminal_text(page, results), HasSubstr("C1 at 0.10 rad/s.\n"));
 }
 
 TEST(Verification, FindsNothingWrongAndSaysSo) {
-  Json data = verification_study({.scenes = 60, .seed = 3}).compute(false);
-  EXPECT_FALSE(data["failed"].get<bool>());
-  EXPECT_EQ(data["scenes"].back()["scenes"], 60);
-  EXPECT_GT(data["scenes"].back()["matched"], 100);
-  EXPECT_EQ(data["quiet_speeds"].size(), 12U);
-  data["made"] = failed_results()["made"];
-  const auto drawing = report::drawn(report::page_template("verification"), data);
-  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("No count called certain is wrong"));
-  EXPECT_THAT(drawing.epilogue, Not(HasSubstr("WRONG")));
+  const Json data = verification_study({.scenes = 60, .seed = 3}).compute(false);
+  const report::Results results = report::results_in(data);
+  EXPECT_EQ(*results.value("failed"), Value(false));
+  const Table& scenes = *results.table("scenes");
+  EXPECT_EQ(scenes[scenes.rows.size() - 1].number("number"), 60);
+  EXPECT_GT(scenes[scenes.rows.size() - 1].number("matched"), 100);
+  EXPECT_EQ(results.table("quiet-speeds")->rows.size(), 12U);
+  const auto page = report::page_source(report::page_template("verification"));
+  const std::string text = terminal_text(page, results);
+  EXPECT_THAT(text, HasSubstr("No count called certain is wrong.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("WRONG")));
 }
 
 TEST(Verification, RefusesNumbersThatMakeNoSense) {

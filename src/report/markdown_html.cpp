@@ -1,0 +1,342 @@
+#include "src/report/markdown_html.h"
+
+#include <fmt/format.h>
+#include <md4c-html.h>
+
+#include <cctype>
+#include <pugixml.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "embedded/chart_data_script.h"
+#include "embedded/chart_links_script.h"
+#include "embedded/choose_script.h"
+#include "embedded/look.h"
+#include "embedded/sheet_template.h"
+#include "src/report/page.h"
+#include "src/report/text.h"
+
+namespace ricochet::report {
+
+namespace {
+
+/// Charts from this width on have a row of their own.
+constexpr int wide_chart = 560;  // pixels
+
+/// A screen shows this many rows of a longer table until the reader asks for all.
+constexpr int rows_at_first = 10;
+
+/// A table with more columns is set closer.
+constexpr std::size_t many_columns = 8;
+
+void load(pugi::xml_document& tree, const std::string& markdown) {
+  std::string html = "<main>";
+  const auto append = [](const MD_CHAR* text, MD_SIZE size, void* to) {
+    static_cast<std::string*>(to)->append(text, size);
+  };
+  const bool read = md_html(markdown.data(), static_cast<MD_SIZE>(markdown.size()), append, &html,
+                            MD_DIALECT_GITHUB, MD_HTML_FLAG_XHTML) == 0;
+  html += "</main>";
+  constexpr unsigned options = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_comments;
+  if (!read || !tree.load_buffer(html.data(), html.size(), options))
+    throw std::runtime_error("a page is no Markdown");
+}
+
+std::string text_of(const pugi::xml_node& node) {
+  std::string text;
+  for (const pugi::xml_node& child : node.children())
+    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child);
+  return text;
+}
+
+bool is(const pugi::xml_node& node, std::string_view name) {
+  return node.name() == name;
+}
+
+bool is_heading(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  return name.size() == 2 && name[0] == 'h' && name[1] >= '1' && name[1] <= '6';
+}
+
+/// As code hosts make it: small letters, digits and hyphens.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || byte >= 0x80) anchor += static_cast<char>(std::tolower(byte));
+    if (c == ' ' || c == '-') anchor += '-';
+    if (c == '_') anchor += '_';
+  }
+  return anchor;
+}
+
+void say(pugi::xml_node element, const char* name, const std::string& value) {
+  element.append_attribute(name) = value.c_str();
+}
+
+/// What a comment says after "choose:" or "part:"; empty if it says something else.
+std::string said_after(const pugi::xml_node& comment, std::string_view word) {
+  const std::string_view text = comment.value();
+  const std::size_t start = text.find(word);
+  if (start != 1) return "";
+  const std::size_t from = start + word.size();
+  const std::size_t end = text.find_last_not_of(' ');
+  return std::string(text.substr(from + 1, end - from));
+}
+
+/// Moves the nodes of a page into a header, sections and what a reader chooses.
+class Arranger {
+ public:
+  Arranger(const pugi::xml_node& from, pugi::xml_node header, pugi::xml_node main)
+      : main_(main), open_({header}) {
+    std::vector<pugi::xml_node> nodes;
+    for (const pugi::xml_node& node : from.children()) nodes.push_back(node);
+    for (const pugi::xml_node& node : nodes) take(node);
+  }
+
+ private:
+  void take(const pugi::xml_node& node) {
+    if (node.type() == pugi::node_comment) return take_comment(node);
+    if (is(node, "h2")) {
+      open_ = {main_.append_child("section")};
+      const std::string id = anchor_of(text_of(node));
+      say(open_.back(), "id", id);
+      say(open_.back(), "aria-labelledby", id + "-heading");
+      say(open_.back().append_move(node), "id", id + "-heading");
+      return;
+    }
+    const pugi::xml_node moved = open_.back().append_move(node);
+    if (is_heading(moved) && !is(moved, "h1") && !in_part())
+      say(moved, "id", anchor_of(text_of(moved)));
+  }
+
+  bool in_part() const {
+    return std::string_view(open_.back().attribute("class").value()) == "choice";
+  }
+
+  void take_comment(const pugi::xml_node& comment) {
+    if (const auto label = said_after(comment, "choose:"); !label.empty()) {
+      pugi::xml_node choices = open_.back().append_child("div");
+      say(choices, "class", "choices");
+      say(choices, "data-label", label);
+      open_.push_back(choices);
+    } else if (const auto part = said_after(comment, "part:"); !part.empty()) {
+      if (in_part()) open_.pop_back();
+      pugi::xml_node choice = open_.back().append_child("div");
+      const std::size_t blank = part.find(' ');
+      say(choice, "class", "choice");
+      say(choice, "id", part.substr(0, blank));
+      say(choice, "data-title", part.substr(blank + 1));
+      open_.push_back(choice);
+    } else if (std::string_view(comment.value()) == " end " && open_.size() > 1) {
+      if (in_part()) open_.pop_back();
+      open_.pop_back();
+    }
+  }
+
+  pugi::xml_node main_;
+  std::vector<pugi::xml_node> open_;
+};
+
+/// Changes what is inside the sections.
+class Refiner {
+ public:
+  Refiner(const PagePictures& pictures, std::map<std::string, std::string>& later)
+      : pictures_(pictures), later_(later) {}
+
+  void refine(pugi::xml_node node) {
+    std::vector<pugi::xml_node> children;
+    for (const pugi::xml_node& child : node.children()) children.push_back(child);
+    for (pugi::xml_node& child : children) {
+      if (is_heading(child)) heading_ = text_of(child);
+      if (is(child, "p") && is_picture(child.first_child())) {
+        make_figure(child);
+        continue;
+      }
+      refine(child);
+      if (is(child, "a")) lead(child);
+      if (is(child, "pre")) say(child, "tabindex", "0");
+      if (is(child, "table")) arrange(child);
+    }
+    group_figures(node);
+  }
+
+  bool has_links() const { return has_links_; }
+
+ private:
+  bool is_picture(const pugi::xml_node& node) const {
+    return is(node, "img") && pictures_.count(node.attribute("src").value()) > 0;
+  }
+
+  /// The picture stands in the page once all else is written, since scripts are no XML.
+  void make_figure(pugi::xml_node paragraph) {
+    const pugi::xml_node image = paragraph.first_child();
+    const auto& [chart, drawn] = pictures_.at(image.attribute("src").value());
+    paragraph.remove_child(image);
+    paragraph.set_name("figure");
+    if (chart.width >= wide_chart) {
+      say(paragraph, "class", "wide");
+      say(paragraph, "data-title", chart.title);
+    }
+    say(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
+    pugi::xml_node caption = paragraph.append_child("figcaption");
+    while (paragraph.first_child() != caption) caption.append_move(paragraph.first_child());
+    refine(caption);
+    const std::string mark = fmt::format("[[picture {}]]", later_.size());
+    paragraph.prepend_child(pugi::node_pcdata).set_value(mark.c_str());
+    std::string html = html_of(chart, drawn);
+    if (chart.heat_map && !chart.heat_map->row_links.empty()) {
+      has_links_ = true;
+      html += data_script("chart-links", cell_links_data(chart, {chart.heat_map->row_links,
+                                                                 chart.heat_map->column_links}));
+    }
+    later_[mark] = std::move(html);
+  }
+
+  /// Neighbouring narrow figures stand side by side.
+  static void group_figures(pugi::xml_node node) {
+    if (is(node, "div") && std::string_view(node.attribute("class").value()) == "figures") return;
+    pugi::xml_node group;
+    std::vector<pugi::xml_node> children;
+    for (const pugi::xml_node& child : node.children()) children.push_back(child);
+    for (pugi::xml_node& child : children) {
+      const bool blank =
+          child.type() == pugi::node_pcdata &&
+          std::string_view(child.value()).find_first_not_of(" \n") == std::string_view::npos;
+      if (blank) continue;
+      if (!is(child, "figure")) {
+        group = {};
+        continue;
+      }
+      if (!group) {
+        group = node.insert_child_before("div", child);
+        say(group, "class", "figures");
+      }
+      group.append_move(child);
+    }
+  }
+
+  static void lead(pugi::xml_node link) {
+    std::string target = link.attribute("href").value();
+    const std::size_t file = target.find("summary.md");
+    if (file != std::string::npos && target.find("://") == std::string::npos)
+      target.replace(file, 10, "index.html");
+    link.attribute("href") = target.c_str();
+  }
+
+  /// Good and bad are said by a sign and a colour.
+  static void colour(pugi::xml_node cell, std::string& classes) {
+    const std::string text = text_of(cell);
+    if (text.starts_with("✓")) classes += " good";
+    if (text.starts_with("✗")) classes += " bad";
+  }
+
+  void arrange(pugi::xml_node table) {
+    std::vector<std::string> titles;
+    for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
+      titles.push_back(text_of(cell));
+      align(cell, "columnheader");
+      say(cell, "scope", "col");
+    }
+    const std::string labels = column_labels(titles);
+    if (!labels.empty()) {
+      say(table, "class",
+          titles.size() > many_columns ? std::string("folding many") : std::string("folding"));
+      say(table, "style", labels);
+    }
+    int rows = 0;
+    for (const pugi::xml_node& row : table.child("tbody").children("tr")) rows += !row.empty();
+    const bool folds = rows > rows_at_first + 2;
+    int row_number = 0;
+    for (pugi::xml_node row : table.child("tbody").children("tr")) {
+      if (folds && row_number++ >= rows_at_first) say(row, "class", "later");
+      bool first = true;
+      for (pugi::xml_node cell : row.children()) {
+        align(cell, first ? "rowheader" : "cell");
+        if (first && !text_of(cell).empty()) {
+          cell.set_name("th");
+          say(cell, "scope", "row");
+        }
+        first = false;
+      }
+    }
+    frame(table, folds, rows);
+  }
+
+  static void align(pugi::xml_node cell, const char* role) {
+    std::string classes =
+        std::string_view(cell.attribute("align").value()) == "right" ? "right" : "left";
+    cell.remove_attribute("align");
+    if (std::string_view(role) != "columnheader") colour(cell, classes);
+    say(cell, "class", classes);
+  }
+
+  /// A table that is too wide can be scrolled, with the keyboard, too.
+  void frame(pugi::xml_node table, bool folds, int rows) {
+    pugi::xml_node frame = table.parent().insert_child_before("div", table);
+    const std::string id = fmt::format("table-{}", ++tables_);
+    say(frame, "class", "scroll");
+    say(frame, "role", "region");
+    say(frame, "aria-label", fmt::format("table {}: {}", tables_, heading_));
+    say(frame, "tabindex", "0");
+    if (folds) {
+      pugi::xml_node box = frame.append_child("input");
+      say(box, "type", "checkbox");
+      say(box, "id", id);
+      pugi::xml_node label = frame.append_child("label");
+      say(label, "for", id);
+      label.text() = fmt::format("Show all {} rows", rows).c_str();
+    }
+    frame.append_move(table);
+  }
+
+  const PagePictures& pictures_;
+  std::map<std::string, std::string>& later_;
+  std::string heading_;
+  int tables_ = 0;
+  bool has_links_ = false;
+};
+
+std::string inner_html(const pugi::xml_node& node) {
+  std::ostringstream stream;
+  for (const pugi::xml_node& child : node.children())
+    child.print(stream, "", pugi::format_raw | pugi::format_no_empty_element_tags);
+  return stream.str();
+}
+
+}  // namespace
+
+std::string page_html(const std::string& markdown, const PagePictures& pictures) {
+  pugi::xml_document tree;
+  load(tree, markdown);
+  pugi::xml_node header = tree.append_child("header"), main = tree.append_child("main");
+  const Arranger arranger(tree.first_child(), header, main);
+  std::map<std::string, std::string> later;
+  Refiner refiner(pictures, later);
+  refiner.refine(header);
+  refiner.refine(main);
+
+  Json contents = Json::array(), scripts = Json::array();
+  for (const pugi::xml_node& section : main.children("section"))
+    contents.push_back({{"id", section.attribute("id").value()},
+                        {"heading", escape_html(text_of(section.child("h2")))}});
+  const bool chooses = !main.find_node([](const pugi::xml_node& node) {
+                              return std::string_view(node.attribute("class").value()) == "choices";
+                            })
+                            .empty();
+  if (chooses) scripts.push_back(embedded::choose_script);
+  if (!later.empty()) scripts.push_back(embedded::chart_data_script);
+  if (refiner.has_links()) scripts.push_back(embedded::chart_links_script);
+  const Json data = {{"title", escape_html(text_of(header.child("h1")))},
+                     {"look", embedded::look},
+                     {"header", inner_html(header)},
+                     {"contents", std::move(contents)},
+                     {"main", inner_html(main)},
+                     {"scripts", std::move(scripts)}};
+  std::string html = filled(embedded::sheet_template, {&data});
+  for (const auto& [mark, picture] : later) html.replace(html.find(mark), mark.size(), picture);
+  return html;
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,445 @@
+#include "src/report/markdown_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "src/report/drawing.h"
+#include "src/report/markdown_html.h"
+#include "src/report/text.h"
+
+namespace ricochet::report {
+
+namespace {
+
+std::string trimmed(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t");
+  if (start == std::string_view::npos) return "";
+  return std::string(text.substr(start, text.find_last_not_of(" \t") + 1 - start));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+bool is_page_source(std::string_view file) {
+  return file.starts_with("---\n");
+}
+
+PageSource page_source(std::string_view file) {
+  const std::size_t end = file.find("\n---\n", 3);
+  if (!is_page_source(file) || end == std::string_view::npos)
+    throw std::logic_error("a page must begin with its keys, between lines of ---");
+  PageSource page;
+  for (const std::string& line : lines_of(std::string(file.substr(4, end - 3)))) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) throw std::logic_error("a page's key without a colon: " + line);
+    page.keys[line.substr(0, colon)] = trimmed(line.substr(colon + 1));
+  }
+  page.text = file.substr(end + 5);
+  return page;
+}
+
+namespace {
+
+/// A block of lines, or blocks that are chosen or folded.
+struct Node {
+  enum class Kind { block, choose, fold } kind;
+  std::vector<std::string> lines = {};
+  std::string name = {}, label = {};  ///< of the parts; of the chooser, or the fold's heading
+  std::vector<Node> children = {};
+};
+
+/// The rest of a line {{word rest}}; nothing if it is another line.
+std::optional<std::string> directive(const std::string& line, std::string_view word) {
+  const std::string opening = "{{" + std::string(word);
+  if (!line.starts_with(opening) || !line.ends_with("}}")) return {};
+  const std::string inside = line.substr(opening.size(), line.size() - opening.size() - 2);
+  if (!inside.empty() && inside.front() != ' ') return {};
+  return trimmed(inside);
+}
+
+std::vector<Node> nodes_of(const std::string& text) {
+  std::vector<Node> open = {{Node::Kind::fold}};
+  bool in_code = false, joins = false;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("```")) in_code = !in_code;
+    if (const auto fold = directive(line, "fold"); fold && !in_code) {
+      open.push_back({Node::Kind::fold, {}, "", *fold});
+    } else if (const auto choose = directive(line, "choose"); choose && !in_code) {
+      const std::size_t colon = std::min(choose->find(':'), choose->size() - 1);
+      open.push_back(
+          {Node::Kind::choose, {}, choose->substr(0, colon), trimmed(choose->substr(colon + 1))});
+    } else if (line == "{{end}}" && open.size() > 1) {
+      Node done = std::move(open.back());
+      open.pop_back();
+      open.back().children.push_back(std::move(done));
+    } else if (line.empty() && !in_code) {
+      joins = false;
+      continue;
+    } else {
+      auto& blocks = open.back().children;
+      if (!joins || blocks.empty()) blocks.push_back({Node::Kind::block});
+      blocks.back().lines.push_back(line);
+      joins = true;
+      continue;
+    }
+    joins = false;
+  }
+  if (open.size() != 1) throw std::logic_error("a page's chooser or fold has no {{end}}");
+  return std::move(open.back().children);
+}
+
+/// What names on a page stand for: the results of the innermost part last, and a row of a table.
+struct Scope {
+  std::vector<const Results*> results;
+  std::string path = {};  ///< ids of the parts, each with a hyphen: begins the charts' file names
+  const ricochet::Table* table = nullptr;
+  std::size_t row = 0;
+
+  template <class T>
+  const T* find(const T* (Results::*in)(std::string_view) const, std::string_view name) const {
+    for (auto one = results.rbegin(); one != results.rend(); ++one)
+      if (const T* found = ((*one)->*in)(name)) return found;
+    return nullptr;
+  }
+
+  const ricochet::Table* find_table(std::string_view name) const {
+    return find(&Results::table, name);
+  }
+
+  /// The table of "table.column"; null if it is no such name.
+  const ricochet::Table* table_of(std::string_view name) const {
+    const std::size_t dot = name.find('.');
+    if (dot == std::string_view::npos || find(&Results::value, name) != nullptr) return nullptr;
+    return find_table(name.substr(0, dot));
+  }
+
+  const Value& value(const std::string& name) const {
+    if (table != nullptr && name.starts_with(table->name + ".")) {
+      return (*table)[row][name.substr(table->name.size() + 1)];
+    }
+    if (const Value* found = find(&Results::value, name)) return *found;
+    throw std::logic_error(fmt::format("a page asks for {}, which the results do not have", name));
+  }
+};
+
+/// Calls `plain` with the text between names and `named` with each name and its format.
+template <class Plain, class Named>
+void each_name(std::string_view line, const Plain& plain, const Named& named) {
+  while (true) {
+    const std::size_t start = line.find("{{");
+    const std::size_t end = start == std::string_view::npos ? start : line.find("}}", start);
+    if (end == std::string_view::npos) break;
+    plain(line.substr(0, start));
+    const std::string_view inside = line.substr(start + 2, end - start - 2);
+    const std::size_t colon = std::min(inside.find(':'), inside.size());
+    named(std::string(inside.substr(0, colon)), inside.substr(std::min(colon + 1, inside.size())));
+    line.remove_prefix(end + 2);
+  }
+  plain(line);
+}
+
+/// Fills in a text; nothing if a value is missing.
+std::optional<std::string> filled(std::string_view text, const Scope& scope, bool escapes) {
+  std::string result;
+  bool complete = true;
+  each_name(
+      text, [&](std::string_view plain) { result += plain; },
+      [&](const std::string& name, std::string_view format) {
+        const Value& value = scope.value(name);
+        complete = complete && !is_missing(value);
+        const std::string shown = ricochet::text_of(value, format);
+        const bool in_code = std::ranges::count(result, '`') % 2 == 1;
+        result += escapes && !in_code ? escape_markdown(shown) : shown;
+      });
+  if (!complete) return {};
+  return result;
+}
+
+bool is_row(const std::string& line) {
+  return line.starts_with('|');
+}
+
+bool is_item(const std::string& line) {
+  return line.starts_with("- ") || line.starts_with("1. ");
+}
+
+/// The line with its cells filled in; a cell with a missing value is empty.
+std::string filled_cells(const std::string& line, const Scope& scope) {
+  std::string result = "|";
+  std::size_t start = 1;
+  while (start < line.size()) {
+    const std::size_t end = std::min(line.find('|', start), line.size());
+    const auto cell = filled(std::string_view(line).substr(start, end - start), scope, true);
+    result += (cell ? *cell : " ") + (end < line.size() ? "|" : "");
+    start = end + 1;
+  }
+  return result;
+}
+
+std::optional<std::string> filled_one(const std::string& line, const Scope& scope) {
+  if (is_row(line)) return filled_cells(line, scope);
+  return filled(line, scope, true);
+}
+
+/// The table whose rows a line repeats; null if it repeats none.
+const ricochet::Table* repeated_in(const std::string& line, const Scope& scope) {
+  const ricochet::Table* table = nullptr;
+  if (!is_row(line) && !is_item(line)) return table;
+  each_name(
+      line, [](std::string_view) {},
+      [&](const std::string& name, std::string_view) {
+        if (table == nullptr) table = scope.table_of(name);
+      });
+  return table;
+}
+
+std::string table_markdown(const std::string& what, const Scope& scope) {
+  const std::size_t blank = std::min(what.find(' '), what.size());
+  const std::string name = what.substr(0, blank);
+  const ricochet::Table* table = scope.find_table(name);
+  if (table == nullptr)
+    throw std::logic_error("a page asks for the table " + name + ", which the results do not have");
+  if (table->rows.empty()) return "";
+  const std::string limit = trimmed(what.substr(blank));
+  const std::size_t most = limit.empty() ? SIZE_MAX : std::stoul(limit);
+  std::string text = markdown_of(*table, most);
+  if (table->rows.size() > most) {
+    text += fmt::format("\nThe first {} of {} rows; all are in {}.\n", most, table->rows.size(),
+                        scope.path.empty() ? fmt::format("[{0}.csv]({0}.csv)", table->name)
+                                           : "[data.json](data.json)");
+  }
+  return text;
+}
+
+/// A picture as Markdown, which is drawn when it is asked for.
+using Draw = std::function<std::string(const Chart& chart)>;
+
+class Filler {
+ public:
+  explicit Filler(Draw draw) : draw_(std::move(draw)) {}
+
+  std::string page(const PageSource& source, const Results& results) const {
+    std::string text;
+    for (const std::string& block : blocks(nodes_of(source.text), {{&results}})) {
+      text += (text.empty() ? "" : "\n") + block;
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::string> blocks(const std::vector<Node>& nodes, const Scope& scope) const {
+    std::vector<std::string> all;
+    for (const Node& node : nodes) {
+      if (node.kind == Node::Kind::block) {
+        if (auto text = block(node.lines, scope); !text.empty()) all.push_back(std::move(text));
+        continue;
+      }
+      const std::vector<std::string> inside =
+          node.kind == Node::Kind::choose ? chosen(node, scope) : folded(node, scope);
+      all.insert(all.end(), inside.begin(), inside.end());
+    }
+    return without_empty_headings(std::move(all));
+  }
+
+  std::vector<std::string> chosen(const Node& node, const Scope& scope) const {
+    const std::vector<Part>* parts = nullptr;
+    for (const Results* results : scope.results) {
+      const auto found = results->parts.find(node.name);
+      if (found != results->parts.end()) parts = &found->second;
+    }
+    if (parts == nullptr || parts->empty()) return {};
+    std::vector<std::string> all = {fmt::format("<!-- choose: {} -->\n", node.label)};
+    for (const Part& part : *parts) {
+      require_address(part.id);
+      Scope inner = scope;
+      inner.results.push_back(&part.results);
+      inner.path += part.id + "-";
+      all.push_back(fmt::format("<!-- part: {} {} -->\n", part.id, in_comment(part.title)));
+      const auto inside = blocks(node.children, inner);
+      all.insert(all.end(), inside.begin(), inside.end());
+    }
+    all.emplace_back("<!-- end -->\n");
+    return all;
+  }
+
+  std::vector<std::string> folded(const Node& node, const Scope& scope) const {
+    std::vector<std::string> all = blocks(node.children, scope);
+    const auto heading = filled(node.label, scope, false);
+    if (all.empty() || !heading) return {};
+    all.insert(all.begin(), fmt::format("<details><summary>{}</summary>\n", escape_html(*heading)));
+    all.emplace_back("</details>\n");
+    return all;
+  }
+
+  std::string block(const std::vector<std::string>& lines, const Scope& scope) const {
+    if (lines.size() == 1) {
+      if (const auto table = directive(lines[0], "table")) return table_markdown(*table, scope);
+    }
+    std::string text;
+    bool in_code = false;
+    for (const std::string& line : lines) {
+      if (line.starts_with("```")) in_code = !in_code;
+      if (const ricochet::Table* table = repeated_in(line, scope)) {
+        if (table->rows.empty()) return "";
+        for (std::size_t row = 0; row < table->rows.size(); ++row) {
+          Scope at = scope;
+          at.table = table;
+          at.row = row;
+          if (const auto one = filled_one(line, at)) text += *one + "\n";
+        }
+        continue;
+      }
+      const std::size_t names_end = line.find("}}");
+      if (line.starts_with("{{chart ") && names_end != std::string::npos) {
+        const Chart* chart = scope.find(&Results::chart, trimmed(line.substr(8, names_end - 8)));
+        if (chart == nullptr) return "";
+        Chart own = *chart;
+        own.name = scope.path + own.name;
+        text += draw_(own) + "\n";
+        const auto caption = filled(trimmed(line.substr(names_end + 2)), scope, true);
+        if (caption && !caption->empty()) text += *caption + "\n";
+        continue;
+      }
+      const auto one = in_code ? filled(line, scope, false) : filled_one(line, scope);
+      if (!one && is_item(line)) continue;
+      if (!one) return "";
+      text += *one + "\n";
+    }
+    return text;
+  }
+
+  /// Level of a block that is a heading; 0 if it is none.
+  static std::size_t level_of(const std::string& block) {
+    const std::size_t level = block.find_first_not_of('#');
+    return level != std::string::npos && level > 0 && block[level] == ' ' ? level : 0;
+  }
+
+  static std::vector<std::string> without_empty_headings(std::vector<std::string> blocks) {
+    std::vector<std::string> kept;
+    for (std::size_t i = blocks.size(); i-- > 0;) {
+      const std::size_t level = level_of(blocks[i]);
+      const std::size_t next = kept.empty() ? 1 : level_of(kept.back());
+      if (level > 1 && (kept.empty() || (next > 0 && next <= level))) continue;
+      kept.push_back(std::move(blocks[i]));
+    }
+    std::ranges::reverse(kept);
+    return kept;
+  }
+
+  static void require_address(const std::string& id) {
+    const auto allowed = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+             c == '-' || c == '_';
+    };
+    if (id.empty() || !std::ranges::all_of(id, allowed))
+      throw std::logic_error(fmt::format("\"{}\" is no id of a part", id));
+  }
+
+  /// Two hyphens would end a comment.
+  static std::string in_comment(const std::string& text) {
+    std::string fit;
+    for (const char c : text)
+      if (c != '<' && c != '>' && !(c == '-' && fit.ends_with('-'))) fit += c;
+    return fit;
+  }
+
+  Draw draw_;
+};
+
+/// Links to folders lead to their pages.
+std::string with_files(const std::string& markdown) {
+  std::string text;
+  std::size_t start = 0;
+  while (true) {
+    const std::size_t link = markdown.find("](", start);
+    const std::size_t end = link == std::string::npos ? link : markdown.find(')', link);
+    if (end == std::string::npos) break;
+    const std::string target = markdown.substr(link + 2, end - link - 2);
+    const std::size_t hash = std::min(target.find('#'), target.size());
+    const bool folder = hash > 0 && target[hash - 1] == '/' && target.find("://") == target.npos;
+    text += markdown.substr(start, link + 2 - start) + target.substr(0, hash) +
+            (folder ? "summary.md" : "") + target.substr(hash);
+    start = end;
+  }
+  return text + markdown.substr(start);
+}
+
+}  // namespace
+
+std::string filled_line(std::string_view line, const Results& results) {
+  return filled(line, {{&results}}, false).value_or("");
+}
+
+std::string title_of(const PageSource& page, const Results& results) {
+  for (const std::string& line : lines_of(page.text))
+    if (line.starts_with("# ")) return filled_line(line.substr(2), results);
+  throw std::logic_error("a page has no title");
+}
+
+std::string filled_page(const PageSource& page, const Results& results) {
+  const Filler filler([](const Chart& chart) {
+    return markdown_of(DrawnChart{chart.name, chart.title, ""});
+  });
+  return with_files(filler.page(page, results));
+}
+
+std::vector<std::string> names_in(const PageSource& page) {
+  std::vector<std::string> names;
+  each_name(
+      page.text, [](std::string_view) {},
+      [&](const std::string& name, std::string_view) { names.push_back(name); });
+  return names;
+}
+
+std::string terminal_text(const PageSource& page, const Results& results) {
+  const auto found = page.keys.find("terminal");
+  if (found == page.keys.end()) return "";
+  std::string text;
+  std::istringstream names(found->second);
+  for (std::string name; std::getline(names, name, ',');) {
+    name = trimmed(name);
+    if (const ricochet::Table* table = results.table(name)) {
+      if (!table->rows.empty()) text += "\n" + terminal_text_of(*table);
+    } else {
+      const std::string line = filled_line("{{" + name + "}}", results);
+      if (!line.empty()) text += line + "\n";
+    }
+  }
+  return text;
+}
+
+PageFiles page_files(const PageSource& page, const Results& results) {
+  PageFiles written;
+  PagePictures pictures;
+  const Filler filler([&](const Chart& chart) {
+    DrawnChart drawn = draw(chart);
+    if (drawn.is_drawn()) {
+      written.files[chart.name + ".svg"] = drawn.svg;
+    } else {
+      written.failures.push_back(failure_of(drawn));
+    }
+    const std::string markdown = markdown_of(drawn);
+    if (drawn.is_drawn()) pictures[chart.name + ".svg"] = {chart, std::move(drawn)};
+    return markdown;
+  });
+  std::string markdown = with_files(filler.page(page, results));
+  for (const ricochet::Table& table : results.tables) {
+    if (!table.rows.empty()) written.files[table.name + ".csv"] = csv_of(table);
+  }
+  written.files["index.html"] = page_html(markdown, pictures);
+  written.files["summary.md"] = std::move(markdown);
+  return written;
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,190 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "src/core/fields.h"
+
+namespace ricochet {
+
+/// A cell of a table, or a value of a report. std::monostate: it is missing.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+inline bool is_missing(const Value& value) {
+  return value.index() == 0;
+}
+
+/// The number, whole numbers and bool (0, 1), too; nothing for a text or a missing value.
+std::optional<double> number_in(const Value& value);
+
+/// Makes a value of anything that is one: a number, a text, an enumeration with names, an optional.
+/// A number that is not finite is missing.
+template <class T>
+Value value_of(const T& x) {
+  if constexpr (std::is_same_v<T, Value>) {
+    return x;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return x;
+  } else if constexpr (std::is_integral_v<T>) {
+    return static_cast<std::int64_t>(x);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(x) ? Value(static_cast<double>(x)) : Value();
+  } else if constexpr (HasNames<T>) {
+    return std::string(name_of(names_of(x), x));
+  } else if constexpr (std::is_convertible_v<const T&, std::string_view>) {
+    return std::string(std::string_view(x));
+  } else if constexpr (std::is_same_v<T, std::nullopt_t>) {
+    return {};
+  } else {
+    return x ? value_of(*x) : Value();
+  }
+}
+
+/// A value as text: numbers by fmt's format, such as ".2f", or, with a last %, as per cent without
+/// the sign: ".0%" makes 12 of 0.123. Without a format numbers have up to four digits. Zero has no
+/// sign; true is "yes", or "✓" by the format "mark" (false: "✗"); a missing value is "". Throws
+/// std::logic_error for a format that does not fit.
+std::string text_of(const Value& value, std::string_view format = "");
+
+struct Column {
+  std::string name;         ///< in data.json, CSV and queries
+  std::string title = {};   ///< for readers, with its unit; empty: the name
+  std::string format = {};  ///< see text_of()
+  int digits = 6;           ///< significant digits that data.json keeps
+};
+
+struct Table;
+
+/// A row of a table, which must outlive it. All functions throw std::logic_error for a column that
+/// the table does not have.
+class Row {
+ public:
+  Row(const Table& table, std::size_t index) : table_(&table), index_(index) {}
+
+  const Value& operator[](std::string_view column) const;
+
+  /// Throws std::logic_error if it is not a number.
+  double number(std::string_view column) const;
+  std::optional<double> number_if(std::string_view column) const;
+  /// The text; "" if it is missing. Throws std::logic_error if it is not a text.
+  std::string text(std::string_view column) const;
+  /// Whether the value is true. Missing is false.
+  bool is(std::string_view column) const;
+
+ private:
+  const Table* table_;
+  std::size_t index_;
+};
+
+/// Rows of named, typed columns. Everything that ricochet prints, exports or shows on a page as a
+/// table is one of these, and the functions below are its writers.
+struct Table {
+  std::string name;  ///< lower-case letters, digits and hyphens: the name of its CSV file
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Value>> rows = {};  ///< each as long as `columns`
+
+  /// Adds a row of anything that value_of() takes. Throws std::logic_error unless there is a cell
+  /// for each column.
+  template <class... Cells>
+  void add(const Cells&... cells) {
+    add_row({value_of(cells)...});
+  }
+  void add_row(std::vector<Value> row);
+
+  bool has(std::string_view column) const;
+  /// The index of a column. Throws std::logic_error, which names the table, if there is none.
+  std::size_t index_of(std::string_view column) const;
+  Row operator[](std::size_t row) const { return {*this, row}; }
+  /// The row of which this is true first; nothing if there is none.
+  std::optional<Row> find(const std::function<bool(const Row&)>& is_it) const;
+};
+
+/// Calls `use` with each row.
+template <class Use>
+void each_row(const Table& table, const Use& use) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) use(table[i]);
+}
+
+/// The rows of which `keep` is true.
+Table where(const Table& table, const std::function<bool(const Row&)>& keep);
+/// The rows whose column has this value.
+Table where(const Table& table, std::string_view column, const Value& value);
+
+/// Only these columns, in this order.
+Table only(const Table& table, const std::vector<std::string>& columns);
+
+/// Stably sorted by these columns; a name after a minus descends. Missing values come last, numbers
+/// before texts.
+Table sorted(Table table, const std::vector<std::string>& by);
+
+/// Adds a column of what `make` returns for each row.
+Table with(Table table, Column column, const std::function<Value(const Row&)>& make);
+
+/// What aggregate() computes of the values of a column in a group.
+struct Aggregate {
+  Column column;   ///< the result's
+  std::string of;  ///< the column whose values are taken; may be empty for count_of
+  std::function<Value(const std::vector<Value>&)> function;
+};
+
+// Functions of the values of a group. Missing values are left out, except by count_of.
+Value count_of(const std::vector<Value>& values);
+Value least_of(const std::vector<Value>& values);
+Value most_of(const std::vector<Value>& values);
+Value mean_of(const std::vector<Value>& values);
+Value median_of(const std::vector<Value>& values);  ///< of an even number: the middle of two
+
+/// A row for each group of rows with equal values in the columns `by`, in the order in which groups
+/// first occur.
+Table aggregated(const Table& table, const std::vector<std::string>& by,
+                 const std::vector<Aggregate>& aggregates);
+
+/// Adds to every row of `left` the other columns of the first row of `right` that has the same
+/// values in the columns `on`; missing values where there is none.
+Table joined(const Table& left, const Table& right, const std::vector<std::string>& on);
+
+/// The table of structs: a column for each field, with its unit. Members must be values.
+template <HasFields T>
+Table table_of(std::string name, const std::vector<T>& structs) {
+  Table table{std::move(name)};
+  const T example{};
+  visit_fields(
+      [&](const Field& field, const auto& /*member*/) {
+        const bool has_unit = !field.unit.empty() && field.unit != "1";
+        table.columns.push_back(
+            {std::string(field.key),
+             has_unit ? std::string(field.key) + " [" + std::string(field.unit) + "]" : ""});
+      },
+      example);
+  for (const T& entry : structs) {
+    std::vector<Value> row;
+    visit_fields(
+        [&](const Field& /*field*/, const auto& member) { row.push_back(value_of(member)); },
+        entry);
+    table.add_row(std::move(row));
+  }
+  return table;
+}
+
+/// As a CSV file (RFC 4180) with the columns' names, numbers with up to ten digits, and empty
+/// fields for missing values.
+std::string csv_of(const Table& table);
+
+/// As a LaTeX tabular with the columns' titles and formats.
+std::string latex_of(const Table& table);
+
+/// As a GitHub table with the columns' titles and formats, texts to the left, at most `most` rows.
+std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX);
+
+/// For a terminal: aligned columns, two blanks between them.
+std::string terminal_text_of(const Table& table);
+
+}  // namespace ricochet

@@ -1,0 +1,150 @@
+#include "src/report/table.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "src/report/json.h"
+
+namespace ricochet {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Runs of two solvers on two problems.
+Table runs() {
+  Table table{"runs",
+              {{"solver"}, {"problem"}, {"gap", "gap [m/s]", ".2f"}, {"solved", "", ".0%"}}};
+  table.add("b", "p", 2.5, true);
+  table.add("a", "p", 1.25, false);
+  table.add("b", "q", std::nullopt, false);
+  table.add("a", "q", std::numeric_limits<double>::infinity(), true);
+  return table;
+}
+
+std::vector<std::string> column(const Table& table, const std::string& name) {
+  std::vector<std::string> texts;
+  each_row(table, [&](const Row& row) { texts.push_back(text_of(row[name])); });
+  return texts;
+}
+
+TEST(Table, WritesNumbersAsTheFormatSays) {
+  EXPECT_EQ(text_of(value_of(0.1254), ".1%"), "12.5");
+  EXPECT_EQ(text_of(value_of(-1e-9), ".2f"), "0.00");
+  EXPECT_EQ(text_of(value_of(3), ".1f"), "3.0");
+  EXPECT_EQ(text_of(value_of(3)), "3");
+  EXPECT_EQ(text_of(value_of(1.0 / 3)), "0.3333");
+  EXPECT_EQ(text_of(value_of(true)), "yes");
+  EXPECT_EQ(text_of(value_of(std::optional<double>())), "");
+  EXPECT_THROW(static_cast<void>(text_of(value_of(1.5), "d")), std::logic_error);
+}
+
+TEST(Table, HasNoNumberThatIsNotFinite) {
+  EXPECT_TRUE(is_missing(value_of(std::nan(""))));
+  EXPECT_TRUE(is_missing(runs().rows[3][2]));
+}
+
+TEST(Table, RefusesRowsAndColumnsThatDoNotFit) {
+  Table table = runs();
+  EXPECT_THROW(table.add("c"), std::logic_error);
+  EXPECT_THROW(static_cast<void>(table[0]["cost"]), std::logic_error);
+  EXPECT_THROW(static_cast<void>(table[0].number("solver")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(table[2].number("gap")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(table[0].text("gap")), std::logic_error);
+}
+
+TEST(Table, KeepsRowsAndSortsThem) {
+  EXPECT_EQ(column(where(runs(), "solver", value_of("a")), "problem"),
+            (std::vector<std::string>{"p", "q"}));
+  EXPECT_EQ(where(runs(), [](const Row& row) { return row.is("solved"); }).rows.size(), 2U);
+  EXPECT_THAT(column(sorted(runs(), {"solver", "-problem"}), "problem"),
+              ElementsAre("q", "p", "q", "p"));
+  EXPECT_THAT(column(sorted(runs(), {"gap"}), "gap"), ElementsAre("1.25", "2.5", "", ""));
+  EXPECT_THAT(column(sorted(runs(), {"-gap"}), "gap"), ElementsAre("2.5", "1.25", "", ""));
+}
+
+TEST(Table, AggregatesGroupsInTheOrderOfTheirFirstRows) {
+  const Table groups = aggregated(
+      runs(), {"solver"},
+      {{{"runs"}, "", count_of}, {{"gap"}, "gap", median_of}, {{"share"}, "solved", mean_of}});
+  EXPECT_THAT(column(groups, "solver"), ElementsAre("b", "a"));
+  EXPECT_THAT(column(groups, "runs"), ElementsAre("2", "2"));
+  EXPECT_THAT(column(groups, "gap"), ElementsAre("2.5", "1.25"));
+  EXPECT_THAT(column(groups, "share"), ElementsAre("0.5", "0.5"));
+}
+
+TEST(Table, AggregatesAsSortingByHandDoes) {
+  std::mt19937 random(7);
+  Table table{"numbers", {{"group"}, {"x"}}};
+  std::vector<std::vector<double>> groups(3);
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t group = random() % 3;
+    groups[group].push_back(static_cast<double>(random() % 100));
+    table.add(static_cast<int>(group), groups[group].back());
+  }
+  const Table medians = aggregated(
+      table, {"group"},
+      {{{"median"}, "x", median_of}, {{"least"}, "x", least_of}, {{"most"}, "x", most_of}});
+  ASSERT_EQ(medians.rows.size(), 3U);
+  each_row(medians, [&](const Row& row) {
+    auto& own = groups[static_cast<std::size_t>(row.number("group"))];
+    std::ranges::sort(own);
+    // The quantile of Hyndman and Fan's type 2, American Statistician 50 (1996) 361.
+    const double middle = (own[(own.size() - 1) / 2] + own[own.size() / 2]) / 2;
+    EXPECT_EQ(row.number("median"), middle);
+    EXPECT_EQ(row.number("least"), own.front());
+    EXPECT_EQ(row.number("most"), own.back());
+  });
+}
+
+TEST(Table, JoinsTheFirstMatch) {
+  Table kinds{"kinds", {{"solver"}, {"kind"}}};
+  kinds.add("a", "local");
+  kinds.add("a", "again");
+  const Table joint = joined(runs(), kinds, {"solver"});
+  EXPECT_THAT(column(joint, "kind"), ElementsAre("", "local", "", "local"));
+}
+
+TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
+  Table table = runs();
+  table.add("c|_%", "r,s", 1.0 / 3, true);
+  const std::string csv = csv_of(table);
+  EXPECT_THAT(csv, testing::StartsWith("solver,problem,gap,solved\nb,p,2.5,yes\n"));
+  EXPECT_THAT(csv, HasSubstr("c|_%,\"r,s\",0.3333333333,yes\n"));
+  EXPECT_THAT(markdown_of(table, 1), testing::StrEq("| solver | problem | gap [m/s] | solved |\n"
+                                                    "|:--|:--|--:|--:|\n"
+                                                    "| b | p | 2.50 | yes |\n"));
+  EXPECT_THAT(markdown_of(table), HasSubstr("| c\\|\\_% | r,s | 0.33 | yes |\n"));
+  EXPECT_THAT(latex_of(table), HasSubstr("c|\\_\\% & r,s & 0.33 & yes \\\\\n"));
+  EXPECT_THAT(latex_of(table), testing::StartsWith("\\begin{tabular}{llrr}\n"));
+  EXPECT_THAT(terminal_text_of(where(table, "solver", value_of("a"))),
+              testing::StrEq("solver  problem  gap [m/s]  solved\n"
+                             "a       p             1.25      no\n"
+                             "a       q                      yes\n"));
+}
+
+struct Fall {
+  double height;
+  std::optional<double> time;
+  std::string body;
+};
+template <class Visit, IsOf<Fall>... F>
+void visit_fields(const Visit& visit, F&... f) {
+  visit(Field{"height", "m"}, f.height...);
+  visit(Field{"time", "s"}, f.time...);
+  visit(Field{"body"}, f.body...);
+}
+
+TEST(Table, IsMadeOfStructsByTheListOfTheirFields) {
+  const Table table = table_of<Fall>("falls", {{2, 0.64, "ball"}, {1, {}, "cup"}});
+  EXPECT_EQ(table.columns[0].title, "height [m]");
+  EXPECT_EQ(table[0].number("time"), 0.64);
+  EXPECT_TRUE(is_missing(table[1]["time"]));
+  EXPECT_EQ(table[1].text("body"), "cup");
+}
+
+}  // namespace
+}  // namespace ricochet

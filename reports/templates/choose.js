@@ -4,6 +4,7 @@
 
 for (const choices of document.querySelectorAll(".choices")) {
   const parts = [...choices.querySelectorAll(":scope > .choice")];
+  if (parts.length < 2) continue;
   const label = document.createElement("label"), list = document.createElement("select");
   for (const part of parts) list.append(new Option(part.dataset.title, part.id));
   label.append(choices.dataset.label + " ", list);

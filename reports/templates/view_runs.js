@@ -31,16 +31,9 @@ class BitReader {
   }
 }
 
-// Lists of records are tables, see src/report/record_table.h.
-const unpacked = (data) => {
-  if (Array.isArray(data)) return data.map(unpacked);
-  if (data === null || typeof data !== "object") return data;
-  const {columns, rows} = data;
-  if (columns && rows && Object.keys(data).length === 2) {
-    return rows.map((row) => Object.fromEntries(row.map((value, i) => [columns[i], unpacked(value)])));
-  }
-  return Object.fromEntries(Object.entries(data).map(([name, value]) => [name, unpacked(value)]));
-};
+// The rows of a table as records.
+const records = ({columns, rows}) => rows.map((row) => Object.fromEntries(row.map((value, i) => [columns[i].name, value])));
+const numbersIn = (text) => text === "" ? [] : text.split(" ").map(Number);
 
 const levels = ["a third of the targets", "two thirds of the targets", "the problem solved"];
 const targetsAt = (level, targets) => Math.ceil(targets * (level + 1) / levels.length);
@@ -48,8 +41,13 @@ const targetsAt = (level, targets) => Math.ceil(targets * (level + 1) / levels.l
 const conditionOf = ({family, perturbation, price, budget}) => [family, perturbation, price, budget].join();
 
 class RunTable {
-  constructor(packed) {
-    Object.assign(this, unpacked(packed));
+  constructor({families, problems, solvers, formulations, perturbations, prices, entries, orders, first_instance, command}) {
+    const namesIn = (list) => records(list).map(({name}) => name);
+    Object.assign(this, {
+      families: records(families).map((family) => ({...family, problems: numbersIn(family.problems)})),
+      problems: records(problems), solvers: records(solvers), entries: records(entries),
+      formulations: namesIn(formulations), perturbations: namesIn(perturbations), prices: namesIn(prices),
+      orders: records(orders).map(({order}) => order), first_instance, command});
     for (const entry of this.entries) {
       entry.taken = this.families[entry.family].problems.filter((problem, i) => entry.problems === "" || entry.problems[i] === "1");
     }

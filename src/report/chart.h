@@ -13,7 +13,7 @@ struct Range {
 };
 
 struct Axis {
-  std::string label;  ///< with its unit: "speed [rad/s]"
+  std::string label = {};  ///< with its unit: "speed [rad/s]"
   Scale scale = Scale::linear;
   std::optional<Range> range = {};  ///< if missing, the data and the reference lines determine it
   /// Names of the positions 0, 1, ... of an axis that has names instead of numbers. Only a heat map
@@ -38,7 +38,7 @@ enum class Mark {
 struct Series {
   std::string label;  ///< its entry in the legend; empty: no entry
   Mark mark = Mark::line;
-  std::vector<Sample> samples;  ///< by rising position between gaps, if joined
+  std::vector<Sample> samples = {};  ///< by rising position between gaps, if joined
   bool pale = false;            ///< grey: a background for comparison
   bool dark = false;            ///< nearly black: to be seen on coloured areas
 };
@@ -60,7 +60,7 @@ struct Area {
 struct HeatMap {
   std::string label;  ///< of the colours, with its unit
   std::vector<std::vector<std::optional<double>>>
-      rows;                         ///< a row for each category of y, a cell for each category of x
+      rows = {};                    ///< a row for each category of y, a cell for each category of x
   std::optional<Range> range = {};  ///< of the colours, for maps that are compared
   /// Where the cells lead: what stands in a link for the row and for the column, joined. In the order
   /// of the axes; empty: nowhere.
@@ -80,8 +80,8 @@ struct ReferenceLine {
 /// both.
 struct Chart {
   std::string name;  ///< the file's stem: lower-case letters, digits and hyphens; unique on a page
-  std::string title;
-  Axis x, y;
+  std::string title = {};
+  Axis x = {}, y = {};
   std::vector<Series> series = {};
   std::vector<Area> areas = {};  ///< not below a heat map
   std::optional<HeatMap> heat_map = {};

@@ -9,11 +9,19 @@
 #include <stdexcept>
 #include <vector>
 
+#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
 #include "embedded/choose_script.h"
 #include "embedded/look.h"
 #include "embedded/sheet_template.h"
+#include "embedded/view_chart_script.h"
+#include "embedded/view_choice_script.h"
+#include "embedded/view_look.h"
+#include "embedded/view_ranks_script.h"
+#include "embedded/view_runs_script.h"
+#include "embedded/view_script.h"
+#include "embedded/view_template.h"
 #include "src/report/page.h"
 #include "src/report/text.h"
 
@@ -29,6 +37,8 @@ constexpr int rows_at_first = 10;
 
 /// A table with more columns is set closer.
 constexpr std::size_t many_columns = 8;
+
+constexpr const char* view_place = "[[view]]";
 
 void load(pugi::xml_document& tree, const std::string& markdown) {
   std::string html = "<main>";
@@ -71,7 +81,7 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
-void say(pugi::xml_node element, const char* name, const std::string& value) {
+void put_attribute(pugi::xml_node element, const char* name, const std::string& value) {
   element.append_attribute(name) = value.c_str();
 }
 
@@ -101,14 +111,14 @@ class Arranger {
     if (is(node, "h2")) {
       open_ = {main_.append_child("section")};
       const std::string id = anchor_of(text_of(node));
-      say(open_.back(), "id", id);
-      say(open_.back(), "aria-labelledby", id + "-heading");
-      say(open_.back().append_move(node), "id", id + "-heading");
+      put_attribute(open_.back(), "id", id);
+      put_attribute(open_.back(), "aria-labelledby", id + "-heading");
+      put_attribute(open_.back().append_move(node), "id", id + "-heading");
       return;
     }
     const pugi::xml_node moved = open_.back().append_move(node);
     if (is_heading(moved) && !is(moved, "h1") && !in_part())
-      say(moved, "id", anchor_of(text_of(moved)));
+      put_attribute(moved, "id", anchor_of(text_of(moved)));
   }
 
   bool in_part() const {
@@ -118,17 +128,19 @@ class Arranger {
   void take_comment(const pugi::xml_node& comment) {
     if (const auto label = said_after(comment, "choose:"); !label.empty()) {
       pugi::xml_node choices = open_.back().append_child("div");
-      say(choices, "class", "choices");
-      say(choices, "data-label", label);
+      put_attribute(choices, "class", "choices");
+      put_attribute(choices, "data-label", label);
       open_.push_back(choices);
     } else if (const auto part = said_after(comment, "part:"); !part.empty()) {
       if (in_part()) open_.pop_back();
       pugi::xml_node choice = open_.back().append_child("div");
       const std::size_t blank = part.find(' ');
-      say(choice, "class", "choice");
-      say(choice, "id", part.substr(0, blank));
-      say(choice, "data-title", part.substr(blank + 1));
+      put_attribute(choice, "class", "choice");
+      put_attribute(choice, "id", part.substr(0, blank));
+      put_attribute(choice, "data-title", part.substr(blank + 1));
       open_.push_back(choice);
+    } else if (std::string_view(comment.value()) == " view ") {
+      open_.back().append_child(pugi::node_pcdata).set_value(view_place);
     } else if (std::string_view(comment.value()) == " end " && open_.size() > 1) {
       if (in_part()) open_.pop_back();
       open_.pop_back();
@@ -156,7 +168,7 @@ class Refiner {
       }
       refine(child);
       if (is(child, "a")) lead(child);
-      if (is(child, "pre")) say(child, "tabindex", "0");
+      if (is(child, "pre")) put_attribute(child, "tabindex", "0");
       if (is(child, "table")) arrange(child);
     }
     group_figures(node);
@@ -176,10 +188,10 @@ class Refiner {
     paragraph.remove_child(image);
     paragraph.set_name("figure");
     if (chart.width >= wide_chart) {
-      say(paragraph, "class", "wide");
-      say(paragraph, "data-title", chart.title);
+      put_attribute(paragraph, "class", "wide");
+      put_attribute(paragraph, "data-title", chart.title);
     }
-    say(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
+    put_attribute(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
     pugi::xml_node caption = paragraph.append_child("figcaption");
     while (paragraph.first_child() != caption) caption.append_move(paragraph.first_child());
     refine(caption);
@@ -211,7 +223,7 @@ class Refiner {
       }
       if (!group) {
         group = node.insert_child_before("div", child);
-        say(group, "class", "figures");
+        put_attribute(group, "class", "figures");
       }
       group.append_move(child);
     }
@@ -237,26 +249,26 @@ class Refiner {
     for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
-      say(cell, "scope", "col");
+      put_attribute(cell, "scope", "col");
     }
     const std::string labels = column_labels(titles);
     if (!labels.empty()) {
-      say(table, "class",
+      put_attribute(table, "class",
           titles.size() > many_columns ? std::string("folding many") : std::string("folding"));
-      say(table, "style", labels);
+      put_attribute(table, "style", labels);
     }
     int rows = 0;
     for (const pugi::xml_node& row : table.child("tbody").children("tr")) rows += !row.empty();
     const bool folds = rows > rows_at_first + 2;
     int row_number = 0;
     for (pugi::xml_node row : table.child("tbody").children("tr")) {
-      if (folds && row_number++ >= rows_at_first) say(row, "class", "later");
+      if (folds && row_number++ >= rows_at_first) put_attribute(row, "class", "later");
       bool first = true;
       for (pugi::xml_node cell : row.children()) {
         align(cell, first ? "rowheader" : "cell");
         if (first && !text_of(cell).empty()) {
           cell.set_name("th");
-          say(cell, "scope", "row");
+          put_attribute(cell, "scope", "row");
         }
         first = false;
       }
@@ -269,23 +281,23 @@ class Refiner {
         std::string_view(cell.attribute("align").value()) == "right" ? "right" : "left";
     cell.remove_attribute("align");
     if (std::string_view(role) != "columnheader") colour(cell, classes);
-    say(cell, "class", classes);
+    put_attribute(cell, "class", classes);
   }
 
   /// A table that is too wide can be scrolled, with the keyboard, too.
   void frame(pugi::xml_node table, bool folds, int rows) {
     pugi::xml_node frame = table.parent().insert_child_before("div", table);
     const std::string id = fmt::format("table-{}", ++tables_);
-    say(frame, "class", "scroll");
-    say(frame, "role", "region");
-    say(frame, "aria-label", fmt::format("table {}: {}", tables_, heading_));
-    say(frame, "tabindex", "0");
+    put_attribute(frame, "class", "scroll");
+    put_attribute(frame, "role", "region");
+    put_attribute(frame, "aria-label", fmt::format("table {}: {}", tables_, heading_));
+    put_attribute(frame, "tabindex", "0");
     if (folds) {
       pugi::xml_node box = frame.append_child("input");
-      say(box, "type", "checkbox");
-      say(box, "id", id);
+      put_attribute(box, "type", "checkbox");
+      put_attribute(box, "id", id);
       pugi::xml_node label = frame.append_child("label");
-      say(label, "for", id);
+      put_attribute(label, "for", id);
       label.text() = fmt::format("Show all {} rows", rows).c_str();
     }
     frame.append_move(table);
@@ -307,7 +319,7 @@ std::string inner_html(const pugi::xml_node& node) {
 
 }  // namespace
 
-std::string page_html(const std::string& markdown, const PagePictures& pictures) {
+std::string page_html(const std::string& markdown, const PagePictures& pictures, const Json& view) {
   pugi::xml_document tree;
   load(tree, markdown);
   pugi::xml_node header = tree.append_child("header"), main = tree.append_child("main");
@@ -321,6 +333,15 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures)
   for (const pugi::xml_node& section : main.children("section"))
     contents.push_back({{"id", section.attribute("id").value()},
                         {"heading", escape_html(text_of(section.child("h2")))}});
+  if (!view.is_null()) {
+    const Json data = {{"data", json_in_script(view.dump())}};
+    later[view_place] = filled(embedded::view_template, {&data});
+    for (const char* part :
+         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
+          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
+      scripts.push_back(part);
+    }
+  }
   const bool chooses = !main.find_node([](const pugi::xml_node& node) {
                               return std::string_view(node.attribute("class").value()) == "choices";
                             })
@@ -329,13 +350,16 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures)
   if (!later.empty()) scripts.push_back(embedded::chart_data_script);
   if (refiner.has_links()) scripts.push_back(embedded::chart_links_script);
   const Json data = {{"title", escape_html(text_of(header.child("h1")))},
-                     {"look", embedded::look},
+                     {"look", std::string(embedded::look) + (view.is_null() ? "" : embedded::view_look)},
                      {"header", inner_html(header)},
                      {"contents", std::move(contents)},
                      {"main", inner_html(main)},
                      {"scripts", std::move(scripts)}};
   std::string html = filled(embedded::sheet_template, {&data});
-  for (const auto& [mark, picture] : later) html.replace(html.find(mark), mark.size(), picture);
+  for (const auto& [mark, picture] : later) {
+    const std::size_t place = html.find(mark);
+    if (place != std::string::npos) html.replace(place, mark.size(), picture);
+  }
   return html;
 }
 

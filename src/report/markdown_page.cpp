@@ -265,7 +265,7 @@ class Filler {
       Scope inner = scope;
       inner.results.push_back(&part.results);
       inner.path += part.id + "-";
-      all.push_back(fmt::format("<!-- part: {} {} -->\n", part.id, in_comment(part.title)));
+      all.push_back(fmt::format("<!-- part: {}{} {} -->\n", scope.path, part.id, in_comment(part.title)));
       const auto inside = blocks(node.children, inner);
       all.insert(all.end(), inside.begin(), inside.end());
     }
@@ -284,6 +284,7 @@ class Filler {
 
   std::string block(const std::vector<std::string>& lines, const Scope& scope) const {
     if (lines.size() == 1) {
+      if (lines[0] == "{{view}}") return std::string(view_mark) + "\n";
       if (const auto table = directive(lines[0], "table")) return table_markdown(*table, scope);
     }
     std::string text;
@@ -435,9 +436,20 @@ PageFiles page_files(const PageSource& page, const Results& results) {
   });
   std::string markdown = with_files(filler.page(page, results));
   for (const ricochet::Table& table : results.tables) {
-    if (!table.rows.empty()) written.files[table.name + ".csv"] = csv_of(table);
+    if (!table.rows.empty() && !table.name.starts_with("view-")) written.files[table.name + ".csv"] = csv_of(table);
   }
-  written.files["index.html"] = page_html(markdown, pictures);
+  Json view;
+  for (const ricochet::Table& table : results.tables) {
+    if (!table.name.starts_with("view-")) continue;
+    view[table.name.substr(5)] = json_of(Results{{}, {table}})["tables"][table.name];
+  }
+  if (const Value* first = results.value("first_instance")) {
+    view["first_instance"] = number_in(*first).value_or(0);
+  }
+  if (const Value* command = results.value("command"); command != nullptr && !view.is_null()) {
+    view["command"] = ricochet::text_of(*command);
+  }
+  written.files["index.html"] = page_html(markdown, pictures, view);
   written.files["summary.md"] = std::move(markdown);
   return written;
 }

@@ -36,6 +36,7 @@ namespace ricochet::report {
 ///   {{choose NAME: Label}}    what follows once for each part of that name; a screen shows the one
 ///   ...                       that the reader chooses
 ///   {{end}}
+///   {{view}}                  a form that filters the runs of the tables view-*, see view.js
 ///   {{fold Heading}}          what follows is folded away until the reader opens it
 ///   ...
 ///   {{end}}

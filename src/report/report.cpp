@@ -8,13 +8,12 @@
 #include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
-#include "embedded/template_comparison.h"
-#include "embedded/template_comparison_failures.h"
-#include "embedded/template_comparison_family.h"
-#include "embedded/template_comparison_machines.h"
-#include "embedded/template_comparison_solver.h"
-#include "embedded/template_comparison_solvers.h"
-#include "embedded/template_comparison_view.h"
+#include "embedded/page_comparison.h"
+#include "embedded/page_comparison_failures.h"
+#include "embedded/page_comparison_family.h"
+#include "embedded/page_comparison_machines.h"
+#include "embedded/page_comparison_solvers.h"
+#include "embedded/page_comparison_view.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
@@ -39,13 +38,12 @@ namespace fs = std::filesystem;
 /// In the order of the kinds on a site.
 constexpr std::pair<std::string_view, const char*> templates[] = {
     {"reproduction", embedded::template_reproduction},
-    {"comparison", embedded::template_comparison},
-    {"comparison_family", embedded::template_comparison_family},
-    {"comparison_machines", embedded::template_comparison_machines},
-    {"comparison_failures", embedded::template_comparison_failures},
-    {"comparison_solvers", embedded::template_comparison_solvers},
-    {"comparison_solver", embedded::template_comparison_solver},
-    {"comparison_view", embedded::template_comparison_view},
+    {"comparison", embedded::page_comparison},
+    {"comparison_family", embedded::page_comparison_family},
+    {"comparison_machines", embedded::page_comparison_machines},
+    {"comparison_failures", embedded::page_comparison_failures},
+    {"comparison_solvers", embedded::page_comparison_solvers},
+    {"comparison_view", embedded::page_comparison_view},
     {"advice", embedded::template_advice},
     {"dynamics", embedded::template_dynamics},
     {"surrogate", embedded::template_surrogate},
@@ -185,7 +183,7 @@ std::vector<ReportKind> report_kinds() {
     const toml::table file = toml::parse(text);
     const toml::table* headline = file["headline"].as_table();
     if (headline == nullptr || !headline->contains("command")) continue;
-    const Part part(*headline);
+    const TemplatePart part(*headline);
     kinds.push_back({std::string(name), part.text("group"), part.text("label"),
                      part.text("question"), part.text("command")});
   }

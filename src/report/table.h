@@ -48,6 +48,13 @@ Value value_of(const T& x) {
   }
 }
 
+/// What `get`, a member or a function, makes of an optional's value or of what a pointer leads to;
+/// missing if there is none.
+template <class Maybe, class Get>
+Value value_of(const Maybe& maybe, const Get& get) {
+  return maybe ? value_of(std::invoke(get, *maybe)) : Value();
+}
+
 /// A value as text: numbers by fmt's format, such as ".2f", or, with a last %, as per cent without
 /// the sign: ".0%" makes 12 of 0.123. Without a format numbers have up to four digits. Zero has no
 /// sign; true is "yes", or "✓" by the format "mark" (false: "✗"); a missing value is "". Throws

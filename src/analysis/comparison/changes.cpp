@@ -12,6 +12,7 @@
 
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/order.h"
+#include "src/analysis/comparison/pairs.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/outcomes.h"
@@ -20,8 +21,6 @@
 namespace ricochet::studies::comparison {
 
 namespace {
-
-using report::Json;
 
 /// One value of the setting that is varied.
 struct Setting {
@@ -32,25 +31,19 @@ struct Setting {
 };
 
 /// A row for each setting; all are compared with the first.
-void add_rows(Json& rows, const std::string& family, const std::string& changed,
+void add_rows(Table& table, const std::string& family, const std::string& changed,
               const std::vector<Setting>& settings) {
   if (settings.size() < 2) return;
   const Setting& usual = settings.front();
   for (const Setting& setting : settings) {
     const Rating* first = leader_of(setting.ratings);
-    const auto of_first = [&](const auto& value) { return first ? Json(value(*first)) : Json(); };
-    const bool is_usual = &setting == &usual;
-    rows.push_back(
-        {{"family", family},
-         {"changed", changed},
-         {"setting", setting.name},
-         {"leader", setting.order.leader},
-         {"same_leader", setting.order.leader == usual.order.leader},
-         {"best", of_first([](const Rating& r) { return Json(r.probability_of_being_best); })},
-         {"returned", of_first([](const Rating& r) { return Json(r.returned); })},
-         {"problems", setting.problems},
-         {"entries", setting.order.entries.size()},
-         {"agreement", is_usual ? Json() : agreement_of(usual.order, setting.order)}});
+    const auto agreement = &setting == &usual ? std::nullopt : agreement_of(usual.order, setting.order);
+    table.add(family, changed, setting.name, setting.order.leader,
+              setting.order.leader == usual.order.leader,
+              value_of(first, &Rating::probability_of_being_best),
+              value_of(first, &Rating::returned), setting.problems, setting.order.entries.size(),
+              value_of(agreement, &Agreement::correlation), value_of(agreement, &Agreement::lower),
+              value_of(agreement, &Agreement::upper));
   }
 }
 
@@ -58,7 +51,7 @@ std::vector<Rating> rated(const Comparison& comparison, const std::vector<std::s
   return rate(comparison, problems, comparison.part->budgets.size() - 1);
 }
 
-void add_prices(Json& rows, const Campaign& campaign, const std::vector<CellResult>& results,
+void add_prices(Table& table, const Campaign& campaign, const std::vector<CellResult>& results,
                 const ReportedPart& part) {
   std::vector<std::string> prices = campaign.plan().parts[part.part].gradient_prices;
   std::stable_partition(prices.begin(), prices.end(), [&](const std::string& price) {
@@ -80,7 +73,7 @@ void add_prices(Json& rows, const Campaign& campaign, const std::vector<CellResu
     }
   }
   for (const std::string& family : families) {
-    add_rows(rows, part.families.at(family), "price of a gradient", settings[family]);
+    add_rows(table, part.families.at(family), "price of a gradient", settings[family]);
   }
 }
 
@@ -100,7 +93,7 @@ std::vector<double> smoothings_of(const Comparison& comparison, const Group& gro
   return smoothings;
 }
 
-void add_smoothings(Json& rows, const Comparison& comparison, const Group& group) {
+void add_smoothings(Table& table, const Comparison& comparison, const Group& group) {
   for (const bool penalised : {false, true}) {
     std::vector<Setting> settings;
     const std::vector<double> smoothings = smoothings_of(comparison, group, penalised);
@@ -115,13 +108,13 @@ void add_smoothings(Json& rows, const Comparison& comparison, const Group& group
       settings.push_back({fmt::format("{}", smoothing), std::move(ratings), std::move(order),
                           group.problems.size()});
     }
-    add_rows(rows, group.family,
+    add_rows(table, group.family,
              penalised ? "smoothing of the penalised surrogate" : "smoothing of the surrogate",
              settings);
   }
 }
 
-void add_levels(Json& rows, const Comparison& comparison, const Group& group) {
+void add_levels(Table& table, const Comparison& comparison, const Group& group) {
   std::map<std::string, std::map<double, std::vector<std::size_t>>> factors;
   for (const std::size_t q : group.problems) {
     for (const auto& [name, level] : comparison.campaign->problems()[q].factors) {
@@ -137,26 +130,38 @@ void add_levels(Json& rows, const Comparison& comparison, const Group& group) {
       settings.push_back(
           {level_name(name, level), std::move(ratings), std::move(order), problems.size()});
     }
-    add_rows(rows, group.family, name, settings);
+    add_rows(table, group.family, name, settings);
   }
 }
 
 }  // namespace
 
-Json change_data(const Campaign& campaign, const std::vector<CellResult>& results,
-                 const std::vector<ReportedPart>& parts) {
-  Json rows = Json::array();
+Table change_table(const Campaign& campaign, const std::vector<CellResult>& results,
+                   const std::vector<ReportedPart>& parts) {
+  Table table{"changes",
+              {{"family"},
+               {"changed"},
+               {"setting", "to"},
+               {"first"},
+               {"same", "", "mark"},
+               {"best", "P(best)", ".2f", 3},
+               {"returned", "success rate [%]", ".0%", 3},
+               {"problems"},
+               {"entries", "ranked entries"},
+               {"correlation", "", ".2f", 3},
+               {"lower", "", ".2f", 3},
+               {"upper", "", ".2f", 3}}};
   for (const ReportedPart& part : parts) {
-    add_prices(rows, campaign, results, part);
+    add_prices(table, campaign, results, part);
     const Comparison comparison = comparison_of(campaign, results, part.usual);
     const bool of_grid = !campaign.plan().parts[part.part].machines.around.empty();
     for (Group group : groups_of(comparison)) {
       group.family = part.families.at(group.family);
-      add_smoothings(rows, comparison, group);
-      if (of_grid) add_levels(rows, comparison, group);
+      add_smoothings(table, comparison, group);
+      if (of_grid) add_levels(table, comparison, group);
     }
   }
-  return rows;
+  return table;
 }
 
 namespace {
@@ -224,11 +229,11 @@ EntryChanges entry_changes(const Store& first, const Store& second) {
     if (other == other_hashes.end() || other->second == hash) continue;
     changes.other_problems.push_back(problem);
   }
-  struct OnProblem {
+  struct Compared {
     std::int64_t budget;
     double log_ratio;
   };
-  std::map<Cell, std::map<std::string, OnProblem>> entries;  // by cell without problem and budget
+  std::map<Cell, std::map<std::string, Compared>> entries;  // by cell without problem and budget
   const auto others = costs_in(second);
   for (const auto& [cell, costs] : costs_in(first)) {
     const auto other = others.find(cell);
@@ -241,7 +246,7 @@ EntryChanges entry_changes(const Store& first, const Store& second) {
     entry.problem.clear();
     entry.budget = 0;
     const auto [known, fresh] =
-        entries[entry].try_emplace(cell.problem, OnProblem{cell.budget, *ratio});
+        entries[entry].try_emplace(cell.problem, Compared{cell.budget, *ratio});
     if (!fresh && cell.budget > known->second.budget) known->second = {cell.budget, *ratio};
   }
   std::vector<double> p_values;

@@ -21,7 +21,12 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::Mark;
+using report::Range;
+using report::Sample;
+using report::Scale;
+using report::Series;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double cheapest_simulation = 1e-6;  // [s], ends of the chart
@@ -156,46 +161,33 @@ std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
-Json rows_of(const EntrySet& set, const std::vector<Spent>& spent,
-             const std::vector<Stretch>& stretches, std::size_t price) {
-  Json rows = Json::array();
+void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent,
+              const std::vector<Stretch>& stretches, std::size_t price) {
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     const Entry& entry = set.entries[stretches[k].entry];
     const bool last = k + 1 == stretches.size();
     const double until = last ? dearest_simulation : stretches[k + 1].from;
-    rows.push_back(
-        {{"family", set.family},
-         {"price", name_of(prices[price])},
-         {"solver", entry.solver},
-         {"formulation", entry.formulation},
-         {"from", k == 0 ? Json() : Json(stretches[k].from)},
-         {"until", last ? Json() : Json(until)},
-         {"sure", sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
-                           seed_of("break-even", set.family, static_cast<int>(k),
-                                   static_cast<int>(price)))}});
+    table.add(name_of(prices[price]), k == 0 ? Value() : value_of(stretches[k].from),
+              last ? Value() : value_of(until), entry.solver, entry.formulation,
+              sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
+                       seed_of("break-even", set.family, static_cast<int>(k),
+                               static_cast<int>(price))));
   }
-  return rows;
 }
 
-Json curves_of(const EntrySet& set, const std::vector<Expense>& expenses,
-               const std::vector<std::size_t>& drawn) {
-  Json curves = Json::array();
-  for (const std::size_t e : drawn) {
-    Json points = Json::array();
-    for (int k = -24; k <= 16; ++k) {
-      const double simulation = std::pow(10.0, k / 4.0);
-      const double mine = seconds_to_target(expenses[e], simulation, 1);
-      double least = mine;
-      for (const Expense& other : expenses) {
-        least = std::min(least, seconds_to_target(other, simulation, 1));
-      }
-      points.push_back({{"simulation", simulation}, {"ratio", least > 0 ? mine / least : 1}});
+/// Time to the answer over the least of all, over what a simulation takes.
+Series curve_of(const EntrySet& set, const std::vector<Expense>& expenses, std::size_t e) {
+  Series curve{entry(set.entries[e].solver, set.entries[e].formulation)};
+  for (int k = -24; k <= 16; ++k) {
+    const double simulation = std::pow(10.0, k / 4.0);
+    const double mine = seconds_to_target(expenses[e], simulation, 1);
+    double least = mine;
+    for (const Expense& other : expenses) {
+      least = std::min(least, seconds_to_target(other, simulation, 1));
     }
-    curves.push_back({{"solver", set.entries[e].solver},
-                      {"formulation", set.entries[e].formulation},
-                      {"points", std::move(points)}});
+    curve.samples.push_back({simulation, least > 0 ? mine / least : 1});
   }
-  return curves;
+  return curve;
 }
 
 std::string title_of(const EntrySet& set, const std::vector<Stretch>& stretches) {
@@ -209,7 +201,9 @@ std::string title_of(const EntrySet& set, const std::vector<Stretch>& stretches)
                      seconds_text(stretches.back().from));
 }
 
-Json break_even_of(const Campaign& campaign, const EntrySet& set) {
+}  // namespace
+
+void add_break_even(const Campaign& campaign, const EntrySet& set, report::Results& page) {
   std::vector<Spent> spent;
   std::vector<std::size_t> all;
   std::vector<double> simulations;
@@ -221,43 +215,38 @@ Json break_even_of(const Campaign& campaign, const EntrySet& set) {
       simulations.push_back(spent[q].simulation / problem.cost);
     }
   }
-  Json rows = Json::array();
-  Json curves;
-  std::string title;
+  Table table{"break-even",
+              {{"price", "price of a gradient"},
+               {"from", "from [s]", ".2g", 3},
+               {"until", "until [s]", ".2g", 3},
+               {"solver", "ahead"},
+               {"formulation"},
+               {"sure", "confidence [%]", ".0%", 3}}};
+  Chart chart{.name = "break-even",
+              .x = {"what a simulation takes [s]", Scale::logarithmic},
+              .y = {"time to the answer, over the least", Scale::logarithmic},
+              .width = 820,
+              .height = 360};
   std::vector<std::size_t> drawn;
   for (std::size_t p = 0; p < prices.size(); ++p) {
     const std::vector<Stretch> stretches = stretches_of(mean_expenses(spent, all, p));
-    for (Json& row : rows_of(set, spent, stretches, p)) rows.push_back(std::move(row));
+    add_rows(table, set, spent, stretches, p);
     for (const Stretch& stretch : stretches) {
-      if (std::find(drawn.begin(), drawn.end(), stretch.entry) == drawn.end()) {
-        drawn.push_back(stretch.entry);
-      }
+      if (std::ranges::find(drawn, stretch.entry) == drawn.end()) drawn.push_back(stretch.entry);
     }
-    if (prices[p] == Price::measured) title = title_of(set, stretches);
+    if (prices[p] == Price::measured) chart.title = title_of(set, stretches);
   }
-  constexpr auto measured = static_cast<std::size_t>(Price::measured);
-  Json here = Json::array();
-  if (!simulations.empty()) here.push_back({{"simulation", mean_cost(simulations)}});
-  return {{"family", set.family},
-          {"budget", set.budget},
-          {"problems", set.problems.size()},
-          {"title", title},
-          {"here", std::move(here)},
-          {"curves", curves_of(set, mean_expenses(spent, all, measured), drawn)},
-          {"rows", std::move(rows)}};
-}
-
-}  // namespace
-
-Json break_even_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_solved(sets, [&](const EntrySet& set) { return break_even_of(campaign, set); });
+  const auto expenses = mean_expenses(spent, all, static_cast<std::size_t>(Price::measured));
+  for (const std::size_t e : drawn) chart.series.push_back(curve_of(set, expenses, e));
+  if (!simulations.empty()) {
+    chart.lines.push_back({report::Direction::vertical, mean_cost(simulations), "here"});
+  }
+  page.set("here", simulations.empty() ? Value() : value_of(mean_cost(simulations)));
+  page.add(std::move(table));
+  page.add(std::move(chart));
 }
 
 namespace {
-
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 /// Mean share with its interval: over the problems, or over the runs that differ if there is one
 /// problem.
@@ -267,203 +256,170 @@ MeanShare share_of(const Entry& entry, const std::vector<double>& shares) {
   return {shares.front(), wilson_interval(shares.front() * distinct, distinct)};
 }
 
-/// Adds the median optimality gap with its interval.
-void add_optimality_gap(Json& row, const Entry& entry, std::vector<double> optimality_gaps) {
-  if (optimality_gaps.size() == 1) {
-    optimality_gaps.clear();
-    for (const Outcome& outcome : entry.results.front()->outcomes) {
-      optimality_gaps.push_back(
-          outcome.verdict.optimality_gap.value_or(std::numeric_limits<double>::infinity()));
-    }
-  }
-  row["optimality_gap"] = finite(quantile(optimality_gaps, 0.5));
-  const auto interval = order_statistic_interval(optimality_gaps);
-  row["optimality_gap_lower"] = interval ? finite(interval->lower) : Json();
-  row["optimality_gap_upper"] = interval ? finite(interval->upper) : Json();
-}
-
-Json row_of(const Campaign& campaign, const EntrySet& set, const Entry& entry) {
-  std::vector<double> evaluations;
-  std::vector<double> seconds;
-  std::vector<double> shares;
-  std::vector<double> optimality_gaps;
+void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& entry) {
+  std::vector<double> evaluations, seconds, shares, gaps;
   std::size_t runs = 0;
   for (const CellResult* result : entry.results) {
     const OnProblem one = on_problem(campaign, *result);
     evaluations.push_back(one.evaluations);
     seconds.push_back(one.seconds);
     shares.push_back(one.share);
-    optimality_gaps.push_back(one.optimality_gap);
+    gaps.push_back(one.optimality_gap);
     runs += result->outcomes.size();
   }
   const MeanShare share = share_of(entry, shares);
   const bool joint = set.budget == 0;
-  Json row = {{"family", set.family},
-              {"part", joint ? Json() : Json(set.part + 1)},
-              {"budget", joint ? Json() : Json(set.budget)},
-              {"largest", set.largest},
-              {"solver", entry.solver},
-              {"formulation", entry.formulation},
-              {"problems", entry.results.size()},
-              {"complete", entry.results.size() == set.problems.size()},
-              {"runs", runs},
-              {"evaluations", mean_cost(evaluations)},
-              {"seconds", mean_cost(seconds)},
-              {"share", share.mean},
-              {"share_lower", share.interval.lower},
-              {"share_upper", share.interval.upper},
-              {"optimality_gap", nullptr},
-              {"optimality_gap_lower", nullptr},
-              {"optimality_gap_upper", nullptr},
-              {"on_front", false},
-              {"on_time_front", false}};
-  if (!joint) add_optimality_gap(row, entry, std::move(optimality_gaps));
-  return row;
-}
-
-/// Marks the rows on the Pareto front.
-void mark_front(Json& rows, const char* cost, const char* mark) {
-  std::vector<CostAndError> points;
-  for (const Json& row : rows) {
-    points.push_back({row[cost].get<double>(), 1 - row["share"].get<double>()});
+  if (gaps.size() == 1) {
+    gaps.clear();
+    for (const Outcome& outcome : entry.results.front()->outcomes) {
+      gaps.push_back(outcome.verdict.optimality_gap.value_or(infinity));
+    }
   }
-  for (const std::size_t k : pareto_front(points)) rows[k][mark] = true;
+  const auto interval = joint ? std::nullopt : order_statistic_interval(gaps);
+  table.add(set.family, joint ? Value() : value_of(set.part + 1),
+            joint ? Value() : value_of(set.budget), set.largest, entry.solver,
+            kind_of(entry.solver), entry.formulation, entry.results.size(),
+            entry.results.size() == set.problems.size(), runs, mean_cost(evaluations),
+            mean_cost(seconds), share.mean, share.interval.lower, share.interval.upper,
+            joint ? Value() : value_of(quantile(gaps, 0.5)),
+            value_of(interval, &Interval::lower), value_of(interval, &Interval::upper), false,
+            false);
 }
 
-/// The rows of the entries that take all problems.
-Json complete_rows(const Campaign& campaign, const EntrySet& set) {
-  Json rows = Json::array();
-  for (const Entry& entry : set.entries) rows.push_back(row_of(campaign, set, entry));
-  mark_front(rows, "evaluations", "on_front");
-  mark_front(rows, "seconds", "on_time_front");
-  return rows;
-}
-
-std::string spent_text(double cost, bool by_time) {
-  return by_time ? fmt::format("{:.2g} ms", 1e3 * cost) : fmt::format("{:.3g} evaluations", cost);
+/// Marks the complete rows on the Pareto front, from `first` on.
+void mark_front(Table& table, std::size_t first, const char* cost, const char* mark) {
+  std::vector<CostAndError> points;
+  std::vector<std::size_t> places;
+  for (std::size_t i = first; i < table.rows.size(); ++i) {
+    if (!table[i].is("complete")) continue;
+    points.push_back({table[i].number(cost), 1 - table[i].number("share")});
+    places.push_back(i);
+  }
+  for (const std::size_t k : pareto_front(points)) {
+    table.rows[places[k]][table.index_of(mark)] = true;
+  }
 }
 
 /// The Pareto front in words.
-std::string title_of(const std::string& name, const Json& front, std::size_t all, bool by_time) {
-  const auto about = [&](const Json& dot) {
-    return fmt::format("{} ({:.0f} %, {})", dot["solver"].get<std::string>(),
-                       100 * dot["share"].get<double>(),
-                       spent_text(dot["cost"].get<double>(), by_time));
-  };
-  const Json& fastest = front.front();
-  const Json& surest = front.back();
-  if (surest["share"].get<double>() == 0) {
+std::string title_of(const std::string& name, const Table& front, std::size_t all, bool by_time) {
+  const Row fastest = front[0], surest = front[front.rows.size() - 1];
+  const char* const cost = by_time ? "seconds" : "evaluations";
+  const double spent = surest.number(cost);
+  if (surest.number("share") == 0) {
     return fmt::format("{}: none of {} solvers solved a run", name, all);
   }
-  if (fastest["cost"] == surest["cost"]) {
-    return fmt::format("{}: {} is first in both, of {}", name, about(surest), all);
+  if (fastest.number(cost) == spent) {
+    return fmt::format("{}: {} ({:.0f} %, {}) is first in both, of {}", name, surest.text("solver"),
+                       100 * surest.number("share"),
+                       by_time ? fmt::format("{:.2g} ms", 1e3 * spent)
+                               : fmt::format("{:.3g} evaluations", spent),
+                       all);
   }
   // The axis names the cost: with it the title would be too long.
-  return fmt::format("{}: {} of {} lead, from {} ({:.0f} %) to {} ({:.0f} %)", name, front.size(),
-                     all, fastest["solver"].get<std::string>(),
-                     100 * fastest["share"].get<double>(), surest["solver"].get<std::string>(),
-                     100 * surest["share"].get<double>());
+  return fmt::format("{}: {} of {} lead, from {} ({:.0f} %) to {} ({:.0f} %)", name,
+                     front.rows.size(), all, fastest.text("solver"), 100 * fastest.number("share"),
+                     surest.text("solver"), 100 * surest.number("share"));
 }
 
 /// Most solvers of a Pareto front that a chart names: the most accurate ones.
 constexpr std::size_t most_named = 5;
 
 /// The name beside a dot: of the best few, of the paper's algorithm and of random search.
-std::string name_at(const std::string& solver, const Json& front) {
+std::string name_at(const std::string& solver, const Table& front) {
   if (solver == paper_solver) return solver + " (the paper's)";
   if (solver == "random-search") return solver;
-  for (std::size_t i = front.size() - std::min(most_named, front.size()); i < front.size(); ++i) {
-    if (front[i]["solver"] == solver) return solver;
+  const std::size_t all = front.rows.size();
+  for (std::size_t i = all - std::min(most_named, all); i < all; ++i) {
+    if (front[i].text("solver") == solver) return solver;
   }
   return "";
 }
 
-/// The dots by the solvers' kinds, each kind with its most accurate solver first; the kinds by
-/// name, so that one has the same colour in charts of the same kinds.
-Json kinds_of(std::vector<Json> dots, const Json& front) {
-  std::map<std::string, Json> kinds;
-  std::ranges::stable_sort(dots, std::greater(),
-                           [](const Json& dot) { return dot["share"].get<double>(); });
-  for (Json& dot : dots) {
-    const auto solver = dot["solver"].get<std::string>();
-    dot["name"] = name_at(solver, front);
-    kinds.try_emplace(kind_of(solver), Json::array()).first->second.push_back(std::move(dot));
-  }
-  return report::list_of(kinds, [](const auto& kind) {
-    return Json{{"kind", kind.first}, {"dots", kind.second}};
-  });
-}
-
-Json chart_of(const std::string& name, const Json& rows, bool by_time) {
-  const char* const cost = by_time ? "seconds" : "evaluations";
-  const char* const mark = by_time ? "on_time_front" : "on_front";
-  Json front = Json::array();
-  std::vector<Json> dots;
-  std::size_t level = 0;
-  double dearest = 0;
-  for (const Json& row : rows) {
-    Json dot = {{"solver", row["solver"]},
-                {"cost", row[cost]},
-                {"share", row["share"]},
-                {"lower", row["share_lower"]},
-                {"upper", row["share_upper"]}};
-    dearest = std::max(dearest, row[cost].get<double>());
-    if (row[mark].get<bool>()) front.push_back(dot);
-    dots.push_back(std::move(dot));
-  }
-  std::stable_sort(front.begin(), front.end(), [](const Json& a, const Json& b) {
-    return a["cost"].get<double>() < b["cost"].get<double>();
-  });
-  const double best = front.back()["share"].get<double>();
-  for (const Json& row : rows) {
-    if (!row[mark].get<bool>() && row["share_upper"].get<double>() >= best) ++level;
-  }
-  Json steps = front;
-  steps.push_back({{"cost", dearest}, {"share", best}});
-  return {{"name", fmt::format("speed-accuracy-{}{}", name, by_time ? "-seconds" : "")},
-          {"family", name},
-          {"about", by_time ? name + ", by time" : name},
-          {"title", title_of(name, front, rows.size(), by_time)},
-          {"axis", by_time ? "processor time until solved, or in all [s]"
-                           : "evaluations for each variable until solved, or in all"},
-          {"solvers", rows.size()},
-          {"leading", front.size()},
-          {"surest", front.back()["solver"]},
-          {"level", level},
-          {"kinds", kinds_of(std::move(dots), front)},
-          {"front", std::move(front)},
-          {"steps", std::move(steps)}};
-}
-
 }  // namespace
 
-Json speed_accuracy_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  Json all = Json::array();
-  Json charts = Json::array();
-  Json fronts = Json::array();
-  const auto add = [&](const EntrySet& set, bool draws_time) {
-    Json rows = complete_rows(campaign, set);
-    if (set.largest && !rows.empty()) {
-      charts.push_back(chart_of(set.family, rows, false));
-      if (draws_time) charts.push_back(chart_of(set.family, rows, true));
-      for (const Json& row : rows) {
-        const bool leads = row["on_front"].get<bool>() || row["on_time_front"].get<bool>();
-        // An entry that solves nothing is not worth a row, though none may be cheaper.
-        if (!leads || row["share"].get<double>() == 0) continue;
-        fronts.push_back(row);
-      }
-    }
-    for (Json& row : rows) all.push_back(std::move(row));
-    for (const Entry& entry : set.partial) {
-      all.push_back(row_of(campaign, set, entry));
-    }
+Table speed_accuracy_table(const Campaign& campaign, const std::vector<EntrySet>& sets) {
+  Table table{"speed-accuracy",
+              {{"family"},
+               {"part"},
+               {"budget", "evaluations a variable"},
+               {"largest"},
+               {"solver"},
+               {"kind"},
+               {"formulation"},
+               {"problems"},
+               {"complete"},
+               {"runs"},
+               {"evaluations", "evaluations until solved", ".3g", 4},
+               {"seconds", "seconds until solved", ".2g", 3},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"optimality_gap", "median optimality gap", ".3g", 3},
+               {"optimality_gap_lower", "", ".3g", 3},
+               {"optimality_gap_upper", "", ".3g", 3},
+               {"on_front", "on the front", "mark"},
+               {"on_time_front", "on the front by time", "mark"}}};
+  const auto add = [&](const EntrySet& set) {
+    const std::size_t first = table.rows.size();
+    each_entry(set, [&](const Entry& entry) { add_row(table, campaign, set, entry); });
+    mark_front(table, first, "evaluations", "on_front");
+    mark_front(table, first, "seconds", "on_time_front");
   };
-  const EntrySet joint = joint_entry_set(campaign, sets);
-  add(joint, true);
-  for (const EntrySet& set : sets) add(set, joint.entries.empty());
-  return {{"speed_accuracy", std::move(all)},
-          {"speed_accuracy_charts", std::move(charts)},
-          {"speed_accuracy_front", std::move(fronts)}};
+  add(joint_entry_set(campaign, sets));
+  for (const EntrySet& set : sets) add(set);
+  return table;
+}
+
+Chart speed_accuracy_chart(const Table& of_family, bool by_time) {
+  const char* const cost = by_time ? "seconds" : "evaluations";
+  const Table rows = where(of_family, "complete", true);
+  const Table front = sorted(where(rows, by_time ? "on_time_front" : "on_front", true), {cost});
+  const std::string name = rows[0].text("family");
+  Chart chart{.name = by_time ? "speed-accuracy-seconds" : "speed-accuracy",
+              .title = title_of(name, front, rows.rows.size(), by_time),
+              .x = {by_time ? "processor time until solved, or in all [s]"
+                            : "evaluations for each variable until solved, or in all",
+                    Scale::logarithmic},
+              .y = {"success rate [%]", Scale::linear, Range{0, 100}},
+              .series = {{"", Mark::steps, {}, true}},
+              .width = 820,
+              .height = 480};
+  double dearest = 0;
+  each_row(rows, [&](const Row& row) { dearest = std::max(dearest, row.number(cost)); });
+  auto& steps = chart.series.front().samples;
+  std::string leading;
+  each_row(front, [&](const Row& row) {
+    steps.push_back({row.number(cost), 100 * row.number("share")});
+    leading += fmt::format("{}{} {:.0f} %", leading.empty() ? "" : ", ", row.text("solver"),
+                           100 * row.number("share"));
+  });
+  steps.push_back({dearest, steps.back().value});
+  chart.description = fmt::format("Success rate against {}, one dot per solver. Pareto front: {}.",
+                                  chart.x.label, leading);
+  // The kinds by name, so that one has the same colour in charts of the same kinds.
+  each_row(sorted(rows, {"kind", "-share"}), [&](const Row& row) {
+    if (chart.series.back().label != row.text("kind")) {
+      chart.series.push_back({row.text("kind"), Mark::points, {}});
+    }
+    chart.series.back().samples.push_back(
+        {row.number(cost), 100 * row.number("share"),
+         Range{100 * row.number("lower"), 100 * row.number("upper")},
+         name_at(row.text("solver"), front)});
+  });
+  return chart;
+}
+
+std::string front_sentence(const Table& of_family) {
+  const Table rows = where(of_family, "complete", true);
+  const Table front = sorted(where(rows, "on_front", true), {"evaluations"});
+  const Row surest = front[front.rows.size() - 1];
+  const Table level = where(rows, [&](const Row& row) {
+    return !row.is("on_front") && row.number("upper") >= surest.number("share");
+  });
+  return fmt::format("{} of {} solvers are on the Pareto front; {} more {} statistically tied with "
+                     "the most accurate, {}.",
+                     front.rows.size(), rows.rows.size(), level.rows.size(),
+                     level.rows.size() == 1 ? "is" : "are", surest.text("solver"));
 }
 
 }  // namespace ricochet::studies::comparison

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "src/analysis/comparison/order.h"
+#include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/attainment.h"
@@ -20,160 +22,34 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
+using report::Axis;
+using report::Chart;
+using report::Mark;
+using report::Range;
+using report::Sample;
+using report::Scale;
+using report::Series;
 
 /// A report lists every result of a group with at most this many.
-constexpr std::size_t shown_rows = 80;
-
-Json interval_of(const Interval& interval) {
-  const auto end = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
-  return {{"lower", end(interval.lower)}, {"upper", end(interval.upper)}};
-}
-
-Json share_data(const SolvedShare& solved) {
-  Json data = interval_of(solved.interval);
-  data["share"] = solved.share;
-  return data;
-}
-
-Json estimate_data(const Estimate& estimate) {
-  Json data = interval_of(estimate.interval);
-  data["value"] = std::isfinite(estimate.value) ? Json(estimate.value) : Json();
-  return data;
-}
-
-Json result_data(const CellResult& of_cell) {
-  const Cell& cell = of_cell.cell->cell;
-  const Result result = result_of(of_cell.outcomes);
-  Json terminations = Json::array();
-  for (const auto& [reason, times] : result.terminations) {
-    terminations.push_back({{"reason", reason}, {"times", times}});
-  }
-  return {{"problem", cell.problem},
-          {"solver", cell.solver},
-          {"formulation", cell.formulation},
-          {"surrogate", of_cell.cell->formulation.smoothing > 0},
-          {"budget", cell.budget},
-          {"runs", result.runs},
-          {"distinct", result.distinct},
-          {"found", share_data(result.found)},
-          {"returned", share_data(result.returned)},
-          {"running_time",
-           result.returned_running_time ? estimate_data(*result.returned_running_time) : Json()},
-          {"milliseconds", result.seconds_to_solve ? Json(1e3 * *result.seconds_to_solve) : Json()},
-          {"gap", estimate_data(result.gap)},
-          {"failed", result.failed},
-          {"terminations", std::move(terminations)}};
-}
-
-/// The share of targets reached over the evaluations, with the ends alone of level parts.
-Json curve_data(const Rating& rating) {
-  Json progress = Json::array();
-  for (const Reach& reach : rating.progress) {
-    const std::size_t many = progress.size();
-    const bool level = many > 1 && progress[many - 1]["share"] == reach.share &&
-                       progress[many - 2]["share"] == reach.share;
-    if (level) progress.erase(many - 1);
-    progress.push_back({{"evaluations", reach.evaluations}, {"share", reach.share}});
-  }
-  return {{"solver", rating.solver},
-          {"formulation", rating.formulation},
-          {"progress", std::move(progress)}};
-}
-
-/// Curves of the ECDF: of the first entries, of the paper's algorithm if it is none of them, and of
-/// other solvers, each in its best formulation, to compare with.
-struct Curves {
-  Json first = Json::array(), paper = Json::array(), rest = Json::array();
-};
-
-Curves curves_of(const std::vector<Rating>& ratings) {
-  constexpr std::size_t told = 5, shown = 6;  // more lines than this cannot be told apart, or seen
-  Curves curves;
-  std::set<std::string> drawn;
-  for (const Rating& rating : ratings) {
-    if (curves.first.size() < told) {
-      curves.first.push_back(curve_data(rating));
-    } else if (drawn.contains(rating.solver)) {
-      continue;
-    } else if (rating.solver == paper_solver) {
-      curves.paper.push_back(curve_data(rating));
-    } else if (curves.rest.size() < shown) {
-      curves.rest.push_back(curve_data(rating));
-    }
-    drawn.insert(rating.solver);
-  }
-  return curves;
-}
-
-Json rating_data(const Rating& rating) {
-  const Reach& last = rating.progress.back();
-  return {{"solver", rating.solver},
-          {"formulation", rating.formulation},
-          {"surrogate", rating.surrogate},
-          {"problems", rating.problems},
-          {"never", rating.never},
-          {"found", rating.found},
-          {"returned", rating.returned},
-          {"share", last.share},
-          {"lower", last.interval.lower},
-          {"upper", last.interval.upper},
-          {"best", rating.probability_of_being_best},
-          {"rank", rating.rank}};
-}
-
-/// The first by the returned points, and by the best evaluated ones if that is another one; members
-/// are null if none is first.
-Json leader_data(const std::vector<Rating>& by_returned, const std::vector<Rating>& by_evaluated,
-                 std::size_t problems) {
-  const Rating* first = leader_of(by_returned);
-  const Rating* other = leader_of(by_evaluated, Criterion::evaluated);
-  Json data = rating_data(first != nullptr ? *first : by_returned.front());
-  if (first == nullptr) {
-    for (auto& [key, value] : data.items()) value = nullptr;
-  }
-  const auto name = [](const Rating* r) { return r ? entry(r->solver, r->formulation) : ""; };
-  const bool differs = name(first) != name(other);
-  data["differs"] = differs;
-  data["by_evaluated"] = nullptr;
-  if (differs && other != nullptr) {
-    data["by_evaluated"] = {{"entry", name(other)},
-                            {"found", other->found},
-                            {"returned", other->returned},
-                            {"surrogate", other->surrogate}};
-  }
-  data["of"] = problems;
-  data["single"] = problems == 1;
-  data["ranked"] = std::count_if(by_returned.begin(), by_returned.end(),
-                                 [](const Rating& r) { return r.rank.has_value(); });
-  data["entries"] = by_returned.size();
-  return data;
-}
+constexpr std::size_t shown_results = 80;
 
 /// Entries that are compared problem by problem.
 constexpr std::size_t compared = 20;
 
-/// Returns a row for each of the first entries with the success rate on every problem with
-/// the largest budget; null if it does not take the problem in this formulation.
-Json share_rows(const Comparison& comparison, const Group& group, const Json& ratings) {
-  std::map<std::string, Json> rows;
-  for (const CellResult& result : comparison.results) {
-    const Cell& cell = result.cell->cell;
-    const auto place =
-        std::find(group.problems.begin(), group.problems.end(), result.cell->problem);
-    const bool largest = cell.budget == comparison.part->budgets.back();
-    if (place == group.problems.end() || !largest) continue;
-    Json& cells = rows[entry(cell.solver, cell.formulation)];
-    if (cells.is_null()) cells = Json(group.problems.size(), Json());
-    cells[static_cast<std::size_t>(place - group.problems.begin())] =
-        result_of(result.outcomes).returned.share;
+/// The share of targets reached [%] over the evaluations, from nothing on.
+Series curve_of(const Rating& rating, const std::string& label) {
+  Series curve{label, Mark::steps, {}};
+  for (const Reach& reach : rating.progress) {
+    if (curve.samples.empty()) curve.samples.push_back({reach.evaluations, 0});
+    auto& samples = curve.samples;
+    const std::size_t many = samples.size();
+    const double share = 100 * reach.share;
+    const bool level = many > 2 && samples[many - 1].value == share &&
+                       samples[many - 2].value == share;
+    if (level) samples.pop_back();  // its ends suffice
+    samples.push_back({reach.evaluations, share});
   }
-  Json all = Json::array();
-  for (std::size_t i = 0; i < std::min(compared, ratings.size()); ++i) {
-    const std::string name = entry(ratings[i]["solver"], ratings[i]["formulation"]);
-    all.push_back({{"entry", name}, {"shares", std::move(rows.at(name))}});
-  }
-  return all;
+  return curve;
 }
 
 std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::size_t problem) {
@@ -181,6 +57,10 @@ std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::siz
     if (result.cell->problem == problem) return result.targets;
   }
   return nullptr;  // a group has problems with results only
+}
+
+bool has_largest_budget(const Comparison& comparison, const CellResult& result) {
+  return result.cell->cell.budget == comparison.part->budgets.back();
 }
 
 }  // namespace
@@ -216,59 +96,181 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
   return ratings;
 }
 
-Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
-                const Ratings& rated) {
-  const std::vector<std::int64_t>& all_budgets = comparison.part->budgets;
-  Json all = Json::array();
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Group& group = groups[g];
-    Json budgets = Json::array();
-    for (std::size_t b = 0; b < all_budgets.size(); ++b) {
-      const auto& [by_returned, by_evaluated] = rated[g][b];
-      Curves curves = curves_of(by_returned);
-      budgets.push_back({{"budget", all_budgets[b]},
-                         {"of", group.problems.size()},
-                         {"leader", leader_data(by_returned, by_evaluated, group.problems.size())},
-                         {"ratings", report::list_of(by_returned, rating_data)},
-                         {"first", std::move(curves.first)},
-                         {"paper", std::move(curves.paper)},
-                         {"rest", std::move(curves.rest)}});
-    }
-    Json problems = Json::array();
-    for (const std::size_t q : group.problems) {
-      const Problem& stated = comparison.campaign->problems()[q];
-      const Targets& targets = *targets_on(comparison, q);
-      problems.push_back({{"problem", stated.name},
-                          {"variables", stated.dimension()},
-                          {"constraints", stated.constraints},
-                          {"targets", targets.size()},
-                          {"easiest", targets.back()},
-                          {"best_known", stated.best_known}});
-    }
-    std::vector<const CellResult*> mine;
-    for (const std::size_t q : group.problems) {
-      for (const CellResult& result : comparison.results) {
-        if (result.cell->problem == q) mine.push_back(&result);
-      }
-    }
-    const bool few = mine.size() <= shown_rows;
-    Json rows = Json::array();
-    if (few) {
-      for (const CellResult* result : mine) rows.push_back(result_data(*result));
-    }
-    const Json last = budgets.back();
-    all.push_back({{"family", group.family},
-                   {"ratings", last["ratings"]},  // with the largest budget
-                   {"drawn", last["first"]},
-                   {"paper", last["paper"]},
-                   {"rest", last["rest"]},
-                   {"budgets", std::move(budgets)},
-                   {"problems", std::move(problems)},
-                   {"shares", share_rows(comparison, group, last["ratings"])},
-                   {"few", few},
-                   {"results", std::move(rows)}});
+std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<CellResult>& results,
+                                   const std::vector<ReportedPart>& parts) {
+  std::vector<RatedPart> all;
+  for (const ReportedPart& part : parts) {
+    RatedPart rated{&part, comparison_of(campaign, results, part.usual), {}, {}};
+    rated.groups = groups_of(rated.comparison);
+    std::erase_if(rated.groups,
+                  [&](const Group& group) { return part.asked_again.contains(group.family); });
+    for (Group& group : rated.groups) group.family = part.families.at(group.family);
+    rated.ratings = ratings_of(rated.comparison, rated.groups);
+    all.push_back(std::move(rated));
   }
   return all;
+}
+
+Table rating_table(std::string name, const std::vector<Rating>& ratings, std::size_t problems) {
+  Table table{std::move(name),
+              {{"solver"},
+               {"formulation"},
+               {"surrogate"},
+               {"takes"},
+               {"problems"},
+               {"rank", "mean rank", ".1f", 3},
+               {"best", "P(best)", ".2f", 3},
+               {"returned", "success rate [%]", ".0%", 3},
+               {"share", "targets reached [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"never", "problems solved in none of its runs"},
+               {"found", "success rate of the best evaluated point [%]", ".0%", 3}}};
+  for (const Rating& r : ratings) {
+    const Reach& last = r.progress.back();
+    table.add(r.solver, r.formulation, r.surrogate, r.problems, problems, r.rank,
+              r.probability_of_being_best, r.returned, last.share, last.interval.lower,
+              last.interval.upper, r.never, r.found);
+  }
+  return table;
+}
+
+Chart runtime_ecdf(const std::string& family, std::int64_t budget,
+                   const std::vector<Rating>& ratings) {
+  constexpr std::size_t told = 5, shown = 6;  // more lines than this cannot be told apart, or seen
+  std::vector<Series> first, paper, rest;
+  std::set<std::string> drawn;
+  for (const Rating& rating : ratings) {
+    const std::string name = entry(rating.solver, rating.formulation);
+    if (first.size() < told) {
+      first.push_back(curve_of(rating, name));
+    } else if (drawn.contains(rating.solver)) {
+      continue;
+    } else if (rating.solver == paper_solver) {
+      paper.push_back(curve_of(rating, name + " (the paper's)"));
+      paper.back().dark = true;
+    } else if (rest.size() < shown) {
+      rest.push_back(curve_of(rating, ""));
+      rest.back().pale = true;
+    }
+    drawn.insert(rating.solver);
+  }
+  Chart chart{.name = fmt::format("ecdf-{}", budget),
+              .title = fmt::format("{}: {}, {} reaches {:.0f} % of the targets in {} evaluations a "
+                                   "variable",
+                                   family, ratings.front().solver, ratings.front().formulation,
+                                   100 * ratings.front().progress.back().share, budget),
+              .x = {"evaluations for each variable", Scale::logarithmic},
+              .y = {"targets reached [%]", Scale::linear, Range{0, 100}},
+              .width = 720,
+              .height = 380};
+  for (auto* series : {&rest, &first, &paper}) {
+    chart.series.insert(chart.series.end(), series->begin(), series->end());
+  }
+  return chart;
+}
+
+Chart solved_map(const RatedPart& part, std::size_t number) {
+  const Group& group = part.groups[number];
+  const std::vector<Rating>& ratings = part.most(number);
+  std::map<std::string, std::vector<std::optional<double>>> rows;
+  for (const CellResult& result : part.comparison.results) {
+    const auto place = std::ranges::find(group.problems, result.cell->problem);
+    if (place == group.problems.end() || !has_largest_budget(part.comparison, result)) continue;
+    auto& cells = rows[entry(result.cell->cell.solver, result.cell->cell.formulation)];
+    cells.resize(group.problems.size());
+    cells[static_cast<std::size_t>(place - group.problems.begin())] =
+        100 * result_of(result.outcomes).returned.share;
+  }
+  Chart chart{.name = "solved", .x = {"problem"}, .y = {""}, .heat_map = report::HeatMap{"solved [%]"}};
+  report::HeatMap& map = *chart.heat_map;
+  map.range = Range{0, 100};
+  for (const std::size_t q : group.problems) {
+    const std::string& problem = part.comparison.campaign->problems()[q].name;
+    chart.x.categories.push_back(problem);
+    map.column_links.push_back(fmt::format("&problem={}/{}", group.family, problem));
+  }
+  for (std::size_t i = std::min(compared, ratings.size()); i-- > 0;) {  // from the bottom
+    const std::string name = entry(ratings[i].solver, ratings[i].formulation);
+    chart.y.categories.push_back(name);
+    map.rows.push_back(rows.at(name));
+    map.row_links.push_back(
+        fmt::format("../view#family={}&formulation=all&entry={}", group.family, name));
+  }
+  chart.title = fmt::format("{}, problem by problem: {} has the least mean rank", group.family,
+                            chart.y.categories.back());
+  chart.width = 820;
+  chart.height = 120 + 16 * static_cast<int>(chart.y.categories.size());
+  chart.description = "Heat map of the share solved over problem and entry.";
+  return chart;
+}
+
+Table result_table(const RatedPart& part, const Group& group) {
+  Table table{"results",
+              {{"problem"},
+               {"solver"},
+               {"formulation"},
+               {"budget"},
+               {"returned", "", ".0%", 3},
+               {"returned_lower", "", ".0%", 3},
+               {"returned_upper", "", ".0%", 3},
+               {"found", "", ".0%", 3},
+               {"running_time", "", ".0f"},
+               {"running_time_lower", "", ".0f"},
+               {"running_time_upper", "", ".0f"},
+               {"milliseconds", "", ".3g"},
+               {"gap", "", ".3g", 3},
+               {"distinct"},
+               {"runs"},
+               {"failed"}}};
+  std::vector<const CellResult*> mine;
+  for (const std::size_t q : group.problems) {
+    for (const CellResult& result : part.comparison.results) {
+      if (result.cell->problem == q) mine.push_back(&result);
+    }
+  }
+  if (mine.size() > shown_results) return table;
+  for (const CellResult* one : mine) {
+    const Cell& cell = one->cell->cell;
+    const Result r = result_of(one->outcomes);
+    const auto& time = r.returned_running_time;
+    table.add(cell.problem, cell.solver, cell.formulation, cell.budget, r.returned.share,
+              r.returned.interval.lower, r.returned.interval.upper, r.found.share,
+              value_of(time, &Estimate::value),
+              value_of(time, [](const Estimate& e) { return e.interval.lower; }),
+              value_of(time, [](const Estimate& e) { return e.interval.upper; }),
+              value_of(r.seconds_to_solve, [](double s) { return 1e3 * s; }), r.gap.value,
+              r.distinct, r.runs, r.failed);
+  }
+  return table;
+}
+
+Table problem_table(const RatedPart& part, const Group& group,
+                    const std::map<std::string, std::string>& hashes) {
+  Table table{"problems",
+              {{"problem"},
+               {"variables"},
+               {"constraints"},
+               {"best_known", "", ".6g", 17},
+               {"provenance"},
+               {"targets"},
+               {"easiest", "", ".3g", 3},
+               {"random", "", ".3g", 3},
+               {"solving"},
+               {"entries"},
+               {"separates"},
+               {"hash"}}};
+  for (const std::size_t q : group.problems) {
+    const Problem& problem = part.comparison.campaign->problems()[q];
+    const Targets& targets = *targets_on(part.comparison, q);
+    const Separation separation = separation_of(part.comparison, q);
+    const auto hash = hashes.find(problem.name);
+    table.add(problem.name, problem.dimension(), problem.constraints, problem.best_known,
+              problem.provenance, targets.size(), targets.back(),
+              random_search_time(part.comparison, q), separation.solving, separation.entries,
+              separation.by, hash == hashes.end() ? "" : hash->second);
+  }
+  return table;
 }
 
 }  // namespace ricochet::studies::comparison

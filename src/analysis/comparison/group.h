@@ -1,12 +1,14 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
-#include "src/report/json.h"
+#include "src/report/chart.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::comparison {
 
@@ -32,30 +34,43 @@ struct BothRatings {
 using Ratings = std::vector<std::vector<BothRatings>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
 
-/// Returns, for each group, the ratings for each budget, its problems and, if there are few, all
-/// results on them.
-report::Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
-                        const Ratings& ratings);
+/// A part of the plan with its families, as the report names them, rated.
+struct RatedPart {
+  const ReportedPart* part;
+  Comparison comparison;
+  std::vector<Group> groups;  ///< without those that an earlier part has
+  Ratings ratings;            ///< of the groups
 
-/// Expected running time: evaluations per variable until the problem is solved, with restarts;
-/// infinite if no run solved it.
-double running_time(const Campaign& campaign, const CellResult& result);
+  const std::vector<Rating>& most(std::size_t group) const {
+    return ratings[group].back().by_returned;
+  }
+};
 
-/// Penalised cost of a run with this budget: evaluations until it solved its problem, at least 1;
-/// if it did not, ten times the budget (PAR10; Lindauer, van Rijn and Kotthoff 2019,
-/// doi:10.1016/j.artint.2018.10.004).
-double penalised_cost(const Outcome& outcome, double budget);
+/// Campaign, results and parts must outlive them.
+std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<CellResult>& results,
+                                   const std::vector<ReportedPart>& parts);
 
-/// That of a solver on a problem: per variable, mean over its runs.
-double penalised_cost(const Campaign& campaign, const CellResult& result);
+/// The ratings of a family of so many problems, best first: solver, formulation, surrogate, takes,
+/// problems, rank, best (P(best)), returned and found (success rates), share (of targets reached)
+/// with its interval, never (problems solved in none of its runs).
+Table rating_table(std::string name, const std::vector<Rating>& ratings, std::size_t problems);
 
-/// Returns the entries sorted by the geometric mean of their penalised costs, least first.
-std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySet& set);
+/// The ECDF of runtimes of the best five entries, the paper's algorithm and, grey, other solvers.
+report::Chart runtime_ecdf(const std::string& family, std::int64_t budget,
+                           const std::vector<Rating>& ratings);
 
-/// For every set of entries with the largest budgets, at least two entries and two problems:
-/// performance profiles of the expected running times of the six entries with the least penalised
-/// cost; and for all entries the share of problems within a factor of the least, the share on which
-/// it is best, and the ratio of its penalised cost to the virtual best solver's.
-report::Json profile_data(const Campaign& campaign, const std::vector<EntrySet>& sets);
+/// Success rate by the returned points of the first entries on each problem of the group, with the
+/// largest budget.
+report::Chart solved_map(const RatedPart& part, std::size_t group);
+
+/// Every result on the problems of the group, for a group of few: problem, solver, formulation,
+/// budget, success rates, expected running time, time, gap, each with its interval.
+Table result_table(const RatedPart& part, const Group& group);
+
+/// The problems of a group: name, variables, constraints, best_known, provenance, targets, easiest,
+/// random (expected running time of random search), solving, entries, separates, hash; see
+/// separation_of().
+Table problem_table(const RatedPart& part, const Group& group,
+                    const std::map<std::string, std::string>& hashes);
 
 }  // namespace ricochet::studies::comparison

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,9 +18,11 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::HeatMap;
+using report::Range;
 
-constexpr std::size_t mapped_entries = 4;
+constexpr double all_solved = 0.995;  // a map of it would be one colour
 constexpr int landscape_points = 25;  // per edge of a box
 
 using Factors = std::map<std::string, std::vector<double>>;
@@ -37,9 +40,11 @@ std::string row_name(const Problem& problem, Factors::const_iterator factor,
   return name;
 }
 
-/// Returns rows of cells, one for each machine; several problems of one machine are averaged.
-Json map_rows(const std::vector<MachineResult>& results, const Factors& factors,
-              const std::function<double(const MachineResult&)>& value) {
+/// A map over machines: a column for each level of the first factor, a row for each combination of
+/// the others; several problems of one machine are averaged.
+Chart map_of(const std::string& name, const std::string& label,
+             const std::vector<MachineResult>& results, const Factors& factors,
+             const std::function<double(const MachineResult&)>& value) {
   const auto& [column, levels] = *factors.begin();
   struct Cell {
     double sum = 0;
@@ -51,35 +56,36 @@ Json map_rows(const std::vector<MachineResult>& results, const Factors& factors,
     for (auto factor = std::next(factors.begin()); factor != factors.end(); ++factor) {
       place.push_back(result.problem->factors.at(factor->first));
     }
-    auto& [name, cells] = rows[place];
-    name = row_name(*result.problem, std::next(factors.begin()), factors);
+    auto& [row, cells] = rows[place];
+    row = row_name(*result.problem, std::next(factors.begin()), factors);
     cells.resize(levels.size());
     const auto level = std::find(levels.begin(), levels.end(), result.problem->factors.at(column));
     Cell& cell = cells[static_cast<std::size_t>(level - levels.begin())];
     cell.sum += value(result);
     ++cell.problems;
   }
-  Json all = Json::array();
-  for (const auto& [place, row] : rows) {
-    Json cells = Json::array();
-    for (const Cell& cell : row.second) {
-      cells.push_back(cell.problems > 0 ? Json(cell.sum / cell.problems) : Json());
+  Chart chart{.name = name, .x = {column}, .y = {""}, .heat_map = HeatMap{label}};
+  for (const double level : levels) chart.x.categories.push_back(level_name(column, level));
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {  // from the bottom
+    chart.y.categories.push_back(row->second.first);
+    auto& cells = chart.heat_map->rows.emplace_back();
+    for (const Cell& cell : row->second.second) {
+      cells.push_back(cell.problems > 0 ? std::optional(cell.sum / cell.problems) : std::nullopt);
     }
-    all.push_back({{"machine", row.first}, {"cells", std::move(cells)}});
   }
-  return all;
+  chart.height = 150 + 18 * static_cast<int>(rows.size());
+  return chart;
 }
 
-Json extent(const Json& rows) {
-  Json least, most;
-  for (const Json& row : rows) {
-    for (const Json& cell : row["cells"]) {
-      if (cell.is_null()) continue;
-      if (least.is_null() || cell < least) least = cell;
-      if (most.is_null() || cell > most) most = cell;
+/// The least and the largest cell of a map.
+Range extent(const HeatMap& map) {
+  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const auto& row : map.rows) {
+    for (const auto& cell : row) {
+      if (cell) range = {std::min(range.lower, *cell), std::max(range.upper, *cell)};
     }
   }
-  return {{"least", least}, {"most", most}};
+  return range;
 }
 
 /// Returns the best known value as a user reads it: a maximised speed has its sign reversed.
@@ -99,29 +105,6 @@ std::string label_of(const Variable& variable) {
                                : fmt::format("{} [{}]", variable.name, variable.unit);
 }
 
-Json columns_of(const Factors& factors) {
-  const auto& [factor, levels] = *factors.begin();
-  Json columns = Json::array();
-  for (const double level : levels) columns.push_back({{"level", level_name(factor, level)}});
-  return columns;
-}
-
-/// Adds a map of the share solved for each of the best entries.
-void add_solved(Json& maps, const std::string& family, const ByEntry& entries,
-                const Factors& factors) {
-  const auto order = best_first(entries);
-  for (std::size_t k = 0; k < std::min(mapped_entries, order.size()); ++k) {
-    maps.push_back({{"family", family},
-                    {"column", factors.begin()->first},
-                    {"columns", columns_of(factors)},
-                    {"number", k + 1},
-                    {"entry", name_of(*order[k])},
-                    {"share", mean_solved(order[k]->second)},
-                    {"rows", map_rows(order[k]->second, factors,
-                                      [](const MachineResult& r) { return r.solved; })}});
-  }
-}
-
 /// Returns the results of the entry that takes most problems, and so covers most machines.
 const std::vector<MachineResult>& widest(const ByEntry& entries) {
   return std::max_element(
@@ -130,78 +113,62 @@ const std::vector<MachineResult>& widest(const ByEntry& entries) {
       ->second;
 }
 
-/// Adds the true objective over the box, a row for each machine, for problems of one variable
-/// without constraints.
-void add_landscape(Json& landscapes, const std::string& family, const ByEntry& entries,
-                   const Factors& factors) {
-  const std::vector<MachineResult>& machines = widest(entries);
+/// The true objective over the box, a row for each machine, for problems of one variable without
+/// constraints.
+std::optional<Chart> landscape(const std::string& family, const std::vector<MachineResult>& machines,
+                               const Factors& factors) {
   const Problem& first = *machines.front().problem;
-  if (first.dimension() != 1 || first.constraints > 0) return;
+  if (first.dimension() != 1 || first.constraints > 0) return {};
   const Variable variable = first.variables.empty() ? Variable{"x", ""} : first.variables.front();
   const auto point = [&](int k) {
     return Vector::Constant(
         1, first.lower[0] + (first.upper[0] - first.lower[0]) * k / (landscape_points - 1));
   };
-  Json columns = Json::array();
+  Chart chart{.name = "landscape",
+              .x = {label_of(variable)},
+              .y = {""},
+              .heat_map = HeatMap{first.source.empty() ? "objective" : first.source}};
   for (int k = 0; k < landscape_points; ++k) {
-    columns.push_back({{"at", fmt::format("{:.3g}", point(k)[0])}});
+    chart.x.categories.push_back(fmt::format("{:.3g}", point(k)[0]));
   }
-  Json rows = Json::array();
-  for (const MachineResult& machine : machines) {
-    Json cells = Json::array();
+  for (auto machine = machines.rbegin(); machine != machines.rend(); ++machine) {
+    chart.y.categories.push_back(row_name(*machine->problem, factors.begin(), factors));
+    auto& cells = chart.heat_map->rows.emplace_back();
     for (int k = 0; k < landscape_points; ++k) {
-      cells.push_back(true_values_at(*machine.problem, point(k)).objective);
+      cells.emplace_back(true_values_at(*machine->problem, point(k)).objective);
     }
-    rows.push_back({{"machine", row_name(*machine.problem, factors.begin(), factors)},
-                    {"cells", std::move(cells)}});
   }
-  const Json range = extent(rows);
-  landscapes.push_back({{"family", family},
-                        {"least", range["least"]},
-                        {"most", range["most"]},
-                        {"axis", label_of(variable)},
-                        {"columns", std::move(columns)},
-                        {"rows", std::move(rows)},
-                        {"value_label", first.source.empty() ? "objective" : first.source}});
-}
-
-Json family_data(const std::string& family, const ByEntry& entries, const Factors& factors) {
-  const auto order = best_first(entries);
-  const auto maximised = maximised_in(*widest(entries).front().problem);
-  Json known = map_rows(widest(entries), factors, best_known);
-  const Json range = extent(known);
-  return {{"family", family},
-          {"column", factors.begin()->first},
-          {"columns", columns_of(factors)},
-          {"known_label", maximised ? "largest " + label_of(*maximised) : "best known value"},
-          {"known_title", fmt::format("{}: best known values of {:.3g} to {:.3g}{}", family,
-                                      range["least"].get<double>(), range["most"].get<double>(),
-                                      maximised ? " " + maximised->unit : "")},
-          {"known", std::move(known)},
-          {"first", name_of(*order.front())},
-          {"first_share", mean_solved(order.front()->second)}};
+  const Range range = extent(*chart.heat_map);
+  chart.title = fmt::format("{}: {:.3g} to {:.3g} over the machines and the {}", family,
+                            range.lower, range.upper, chart.x.label);
+  chart.width = 820;
+  chart.height = 160 + 16 * static_cast<int>(machines.size());
+  return chart;
 }
 
 }  // namespace
 
-Json machine_data(const Campaign& campaign, const std::vector<CellResult>& results,
-                  const std::vector<ReportedPart>& parts) {
-  Json machines = Json::array();
-  Json maps = Json::array();
-  Json landscapes = Json::array();
-  for (const ReportedPart& part : parts) {
-    if (campaign.plan().parts[part.part].machines.around.empty()) continue;  // not a grid
-    for (const auto& [family, entries] : machine_results(campaign, results, part)) {
-      const Factors factors = factors_of(entries);
-      if (factors.size() < 2) continue;
-      machines.push_back(family_data(family, entries, factors));
-      add_solved(maps, family, entries, factors);
-      add_landscape(landscapes, family, entries, factors);
-    }
-  }
-  return {{"machines", std::move(machines)},
-          {"machine_maps", std::move(maps)},
-          {"landscapes", std::move(landscapes)}};
+void add_machine_maps(const std::string& family, const ByEntry& entries, report::Results& page) {
+  const Factors factors = factors_of(entries);
+  if (factors.size() < 2) return;
+  const std::vector<MachineResult>& machines = widest(entries);
+  const auto maximised = maximised_in(*machines.front().problem);
+  Chart known = map_of("known", maximised ? "largest " + label_of(*maximised) : "best known value",
+                       machines, factors, best_known);
+  const Range range = extent(*known.heat_map);
+  known.title = fmt::format("{}: best known values of {:.3g} to {:.3g}{}", family, range.lower,
+                            range.upper, maximised ? " " + maximised->unit : "");
+  const auto& first = *best_first(entries).front();
+  const double share = mean_solved(first.second);
+  page.set("finding", fmt::format("{}; {} solves most ({:.0f} %).", known.title, name_of(first),
+                                  100 * share));
+  page.add(std::move(known));
+  Chart solved = map_of("solved", "solved [%]", first.second, factors,
+                        [](const MachineResult& r) { return 100 * r.solved; });
+  solved.heat_map->range = Range{0, 100};
+  solved.title = fmt::format("{}: {} solves {:.0f} % of the runs", family, name_of(first), 100 * share);
+  if (share < all_solved) page.add(std::move(solved));
+  if (auto chart = landscape(family, machines, factors)) page.add(std::move(*chart));
 }
 
 namespace {

@@ -1,6 +1,9 @@
 #include "src/analysis/comparison/order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -9,6 +12,7 @@
 
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/reported_part.h"
+#include "src/analysis/comparison/shares.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
@@ -16,8 +20,6 @@
 #include "src/core/names.h"
 
 namespace ricochet::studies::comparison {
-
-using report::Json;
 
 Order order_of(const std::vector<Rating>& ratings) {
   Order order;
@@ -40,7 +42,7 @@ Order order_in(std::vector<Rating> ratings, const std::string& formulation) {
   return order;
 }
 
-Json agreement_of(const Order& a, const Order& b) {
+std::optional<Agreement> agreement_of(const Order& a, const Order& b) {
   std::vector<double> ranks_a;
   std::vector<double> ranks_b;
   std::vector<std::string> solvers;
@@ -54,11 +56,8 @@ Json agreement_of(const Order& a, const Order& b) {
   if (ranks_a.size() < 2) return {};
   const auto interval = kendall_interval(ranks_a, ranks_b, solvers, seed_of("agreement", "", 0, 0));
   if (!interval) return {};
-  return {{"entries", ranks_a.size()},
-          {"solvers", std::set<std::string>(solvers.begin(), solvers.end()).size()},
-          {"correlation", *kendall_rank_correlation(ranks_a, ranks_b)},
-          {"lower", interval->lower},
-          {"upper", interval->upper}};
+  return Agreement{ranks_a.size(), std::set<std::string>(solvers.begin(), solvers.end()).size(),
+                   *kendall_rank_correlation(ranks_a, ranks_b), interval->lower, interval->upper};
 }
 
 namespace {
@@ -85,55 +84,90 @@ std::optional<Order> order_on_drawn(const Campaign& campaign,
 
 }  // namespace
 
-Json order_data(const Comparison& comparison, const std::vector<CellResult>& results,
-                const ReportedPart& part, const std::vector<Group>& groups,
-                const Ratings& ratings) {
-  const Campaign& campaign = *comparison.campaign;
-  const std::size_t last = comparison.part->budgets.size() - 1;
-  Json rows = Json::array();
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Group& group = groups[g];
-    const std::vector<Rating>& first = ratings[g].front().by_returned;
-    const std::vector<Rating>& most = ratings[g].back().by_returned;
-    const auto add = [&](const std::string& what, const Order& a, const Order& b) {
-      Json row = agreement_of(a, b);
-      if (row.is_null()) return;  // the orders cannot be compared
-      row.update({{"family", group.family},
-                  {"problems", group.problems.size()},
-                  {"what", what},
-                  {"leader", a.leader},
-                  {"other_leader", b.leader},
-                  {"same_leader", a.leader == b.leader}});
-      rows.push_back(std::move(row));
-    };
-    const auto order = [&](const Comparison& compared, std::size_t budget) {
-      return order_of(rate(compared, group.problems, budget));
-    };
-    if (part.repetition) {
-      Conditions again = part.usual;
-      again.part = *part.repetition;
-      again.run = 1;
-      add("other seeds", order_of(first), order(comparison_of(campaign, results, again), 0));
-    }
-    if (comparison.part->instances > 1) {
-      add("the other half of the instances", order(half(comparison, 0), last),
-          order(half(comparison, 1), last));
-    }
-    if (last > 0) add("more evaluations", order_of(first), order_of(most));
-    if (part.drawn) {
-      const auto drawn = order_on_drawn(campaign, results, *part.drawn,
-                                        campaign.family_of(group.problems.front()));
-      if (drawn) add("machines drawn around the cases", order_of(most), *drawn);
-    }
-    std::set<std::string> formulations;
-    for (const Rating& rating : most) formulations.insert(rating.formulation);
-    for (auto a = formulations.begin(); a != formulations.end(); ++a) {
-      for (auto b = std::next(a); b != formulations.end(); ++b) {
-        add(*a + " or " + *b, order_in(most, *a), order_in(most, *b));
+Table order_table(const std::vector<CellResult>& results, const std::vector<RatedPart>& parts) {
+  Table table{"orders",
+              {{"family"},
+               {"changed"},
+               {"problems"},
+               {"entries"},
+               {"solvers"},
+               {"correlation", "", ".2f", 3},
+               {"lower", "", ".2f", 3},
+               {"upper", "", ".2f", 3},
+               {"first"},
+               {"other_first", "first after the change"},
+               {"same", "", "mark"}}};
+  const auto add = [&](const Group& group, const std::string& what, const Order& a,
+                       const Order& b) {
+    const auto agreement = agreement_of(a, b);
+    if (!agreement) return;  // the orders cannot be compared
+    table.add(group.family, what, group.problems.size(), agreement->entries, agreement->solvers,
+              agreement->correlation, agreement->lower, agreement->upper,
+              a.leader, b.leader, a.leader == b.leader);
+  };
+  for (const RatedPart& rated : parts) {
+    const Comparison& comparison = rated.comparison;
+    const Campaign& campaign = *comparison.campaign;
+    const std::size_t last = comparison.part->budgets.size() - 1;
+    for (std::size_t g = 0; g < rated.groups.size(); ++g) {
+      const Group& group = rated.groups[g];
+      const std::vector<Rating>& first = rated.ratings[g].front().by_returned;
+      const std::vector<Rating>& most = rated.most(g);
+      const auto order = [&](const Comparison& compared, std::size_t budget) {
+        return order_of(rate(compared, group.problems, budget));
+      };
+      if (rated.part->repetition) {
+        Conditions again = rated.part->usual;
+        again.part = *rated.part->repetition;
+        again.run = 1;
+        add(group, "other seeds", order_of(first),
+            order(comparison_of(campaign, results, again), 0));
+      }
+      if (comparison.part->instances > 1) {
+        add(group, "the other half of the instances", order(half(comparison, 0), last),
+            order(half(comparison, 1), last));
+      }
+      if (last > 0) add(group, "more evaluations", order_of(first), order_of(most));
+      if (rated.part->drawn) {
+        const auto drawn = order_on_drawn(campaign, results, *rated.part->drawn,
+                                          campaign.family_of(group.problems.front()));
+        if (drawn) add(group, "machines drawn around the cases", order_of(most), *drawn);
+      }
+      std::set<std::string> formulations;
+      for (const Rating& rating : most) formulations.insert(rating.formulation);
+      for (auto a = formulations.begin(); a != formulations.end(); ++a) {
+        for (auto b = std::next(a); b != formulations.end(); ++b) {
+          add(group, *a + " or " + *b, order_in(most, *a), order_in(most, *b));
+        }
       }
     }
   }
-  return rows;
+  return table;
+}
+
+Table held_out_table(const std::vector<RatedPart>& parts) {
+  Table table{"held-out",
+              {{"family"},
+               {"problems"},
+               {"entries", "ranked entries"},
+               {"correlation", "", ".2f", 3},
+               {"lower", "", ".2f", 3},
+               {"upper", "", ".2f", 3},
+               {"first_stays", "first stays first [%]", ".0%", 3}}};
+  for (const RatedPart& part : parts) {
+    for (const Group& group : part.groups) {
+      const RankedEntries ranked = ranked_entries(part.comparison, group.problems,
+                                                  part.comparison.part->budgets.size() - 1);
+      const auto order = held_out_order(ranked.problems, ranked.names.size(),
+                                        seed_of("held out", group.family, 0, 0));
+      table.add(group.family, group.problems.size(), ranked.names.size(),
+                value_of(order, &HeldOutOrder::correlation),
+                value_of(order, [](const HeldOutOrder& o) { return o.interval.lower; }),
+                value_of(order, [](const HeldOutOrder& o) { return o.interval.upper; }),
+                value_of(order, &HeldOutOrder::first_stays));
+    }
+  }
+  return table;
 }
 
 std::vector<RatedFamily> rated_families(const Campaign& campaign,
@@ -161,50 +195,148 @@ namespace {
 
 constexpr double easy_for_random_search = 20;  // evaluations
 
-/// Expected running time of random search, on the true values, the median over the problems.
-Json random_search_time(const Comparison& comparison, const Group& group) {
-  std::map<std::size_t, double> times;
-  for (const CellResult& result : comparison.results) {
-    const PlannedCell& cell = *result.cell;
-    const bool largest = cell.cell.budget == comparison.part->budgets.back();
-    if (cell.cell.solver != "random-search" || !largest || cell.formulation.smoothing > 0 ||
-        !group.has(result)) {
-      continue;
-    }
-    const auto time = result_of(result.outcomes).returned_running_time;
-    const double value = time ? time->value : std::numeric_limits<double>::infinity();
-    const auto [known, fresh] = times.try_emplace(cell.problem, value);
-    known->second = std::min(known->second, value);
+/// The ranked entry with the largest success rate; null if none solved a run.
+const Rating* solves_most(const std::vector<Rating>& ratings) {
+  const Rating* most = nullptr;
+  for (const Rating& rating : ratings) {
+    if (!rating.rank || rating.returned == 0) continue;
+    if (most == nullptr || rating.returned > most->returned) most = &rating;
   }
-  std::vector<double> all;
-  for (const auto& [problem, time] : times) all.push_back(time);
-  return all.empty() ? Json() : report::as_json(quantile(std::move(all), 0.5));
+  return most;
+}
+
+std::string name_of(const Rating* rating) {
+  return rating != nullptr ? entry(rating->solver, rating->formulation) : "";
+}
+
+/// The median over the problems of a group; nothing without random search.
+std::optional<double> random_search_time(const Comparison& comparison, const Group& group) {
+  std::vector<double> times;
+  for (const std::size_t q : group.problems) {
+    if (const auto time = ricochet::studies::comparison::random_search_time(comparison, q))
+      times.push_back(*time);
+  }
+  return times.empty() ? std::optional<double>() : quantile(std::move(times), 0.5);
+}
+
+/// The runs of a problem with the largest budget.
+struct Tries {
+  std::size_t entries = 0, runs = 0, solved = 0;
+  double gap = std::numeric_limits<double>::infinity();
+};
+
+Tries tries_on(const Comparison& comparison, std::size_t problem) {
+  Tries tries;
+  for (const CellResult& result : comparison.results) {
+    if (result.cell->problem != problem ||
+        result.cell->cell.budget != comparison.part->budgets.back())
+      continue;
+    ++tries.entries;
+    tries.runs += result.outcomes.size();
+    for (const Outcome& outcome : result.outcomes) {
+      tries.solved += outcome.solved() ? 1 : 0;
+      tries.gap = std::min(tries.gap, outcome.optimality_gap());
+    }
+  }
+  return tries;
 }
 
 }  // namespace
 
-Json leader_data(const Comparison& comparison, const std::vector<Group>& groups, const Json& rows) {
-  Json leaders = Json::array();
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const Json random = random_search_time(comparison, groups[g]);
-    const bool easy = random.is_number() && random.get<double>() <= easy_for_random_search;
-    for (const Json& budget : rows[g]["budgets"]) {
-      Json row = budget["leader"];
-      if (easy) {
-        const Json of = row["of"];
-        const Json single = row["single"];
-        for (auto& [key, value] : row.items()) value = nullptr;
-        row.update({{"differs", false}, {"of", of}, {"single", single}});
+std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem) {
+  std::optional<double> least;
+  for (const CellResult& result : comparison.results) {
+    const PlannedCell& cell = *result.cell;
+    const bool largest = cell.cell.budget == comparison.part->budgets.back();
+    if (cell.problem != problem || cell.cell.solver != "random-search" || !largest ||
+        cell.formulation.smoothing > 0)
+      continue;
+    const auto time = result_of(result.outcomes).returned_running_time;
+    const double value = time ? time->value : std::numeric_limits<double>::infinity();
+    least = std::min(least.value_or(value), value);
+  }
+  return least;
+}
+
+Table leader_table(const std::vector<RatedPart>& parts) {
+  Table table{"leaders",
+              {{"family"},
+               {"budget", "evaluations a variable"},
+               {"largest"},
+               {"first", "first by mean rank"},
+               {"solver"},
+               {"formulation"},
+               {"returned", "success rate [%]", ".0%", 3},
+               {"best", "P(best)", ".2f", 3},
+               {"takes"},
+               {"problems"},
+               {"ranked"},
+               {"entries"},
+               {"most", "solves most"},
+               {"evaluated", "first by best evaluated"},
+               {"unsolved", "problems that nobody solved"},
+               {"random", "evaluations of random search", ".2g", 3}}};
+  for (const RatedPart& part : parts) {
+    const std::vector<std::int64_t>& budgets = part.comparison.part->budgets;
+    for (std::size_t g = 0; g < part.groups.size(); ++g) {
+      const Group& group = part.groups[g];
+      const auto random = random_search_time(part.comparison, group);
+      const bool easy = random && *random <= easy_for_random_search;
+      const auto unsolved = std::ranges::count_if(group.problems, [&](std::size_t q) {
+        return tries_on(part.comparison, q).solved == 0;
+      });
+      for (std::size_t b = 0; b < budgets.size(); ++b) {
+        const auto& [by_returned, by_evaluated] = part.ratings[g][b];
+        const Rating* first = easy ? nullptr : leader_of(by_returned);
+        const Rating* other = easy ? nullptr : leader_of(by_evaluated, Criterion::evaluated);
+        const Rating* most = easy ? nullptr : solves_most(by_returned);
+        std::optional<std::string> solves, evaluated;
+        if (most != nullptr && name_of(most) != name_of(first) &&
+            (first == nullptr || most->returned > first->returned)) {
+          solves = fmt::format("{}: {:.0f} %", name_of(most), 100 * most->returned);
+        }
+        if (other != nullptr && name_of(other) != name_of(first)) {
+          evaluated = fmt::format("{}: {:.0f} %{}", name_of(other), 100 * other->found,
+                                  other->surrogate ? " (unknown to the solver)" : "");
+        }
+        const std::string none =
+            easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
+                 : "none (the least mean rank solved no run)";
+        const bool is_largest = b + 1 == budgets.size();
+        table.add(group.family, budgets[b], is_largest, first ? name_of(first) : none,
+                  value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
+                  value_of(first, &Rating::returned),
+                  value_of(first, &Rating::probability_of_being_best),
+                  value_of(first, &Rating::problems), group.problems.size(),
+                  std::ranges::count_if(by_returned, [](const Rating& r) { return r.rank.has_value(); }),
+                  by_returned.size(), solves, evaluated,
+                  is_largest ? value_of(unsolved) : Value(), random);
       }
-      row["family"] = rows[g]["family"];
-      row["budget"] = budget["budget"];
-      row["largest"] = budget == rows[g]["budgets"].back();
-      row["random"] = random;
-      row["easy"] = easy;
-      leaders.push_back(std::move(row));
     }
   }
-  return leaders;
+  return table;
+}
+
+Table unsolved_table(const std::vector<RatedPart>& parts) {
+  Table table{"unsolved",
+              {{"family"},
+               {"problem"},
+               {"variables"},
+               {"entries"},
+               {"runs"},
+               {"gap", "least gap [tolerances]", ".3g", 3}}};
+  for (const RatedPart& part : parts) {
+    for (const Group& group : part.groups) {
+      for (const std::size_t q : group.problems) {
+        const Tries tries = tries_on(part.comparison, q);
+        if (tries.solved > 0) continue;
+        const Problem& problem = part.comparison.campaign->problems()[q];
+        table.add(group.family, problem.name, problem.dimension(), tries.entries, tries.runs,
+                  tries.gap / std::max(problem.tolerance, 1e-12));
+      }
+    }
+  }
+  return table;
 }
 
 namespace {
@@ -217,12 +349,11 @@ struct Beaten {
 
 }  // namespace
 
-Json beaten_data(const Campaign& campaign,
-                 const std::vector<ricochet::comparison::CellResult>& results) {
+Table beaten_table(const Campaign& campaign, const std::vector<CellResult>& results) {
   std::map<std::size_t, Beaten> beaten;
-  for (const auto& result : results) {
+  for (const CellResult& result : results) {
     const std::size_t number = result.cell->problem;
-    for (const auto& outcome : result.outcomes) {
+    for (const Outcome& outcome : result.outcomes) {
       const double gap = outcome.verdict.optimality_gap.value_or(0);
       if (gap >= -campaign.problems()[number].tolerance) continue;
       Beaten& there = beaten[number];
@@ -233,28 +364,130 @@ Json beaten_data(const Campaign& campaign,
       }
     }
   }
-  Json rows = Json::array();
+  Table table{"beaten",
+              {{"problem"},
+               {"best_known", "best known", ".10g", 17},
+               {"gap", "below", ".3g"},
+               {"tolerance", "", ".3g"},
+               {"runs"},
+               {"entry", "best run"}}};
   for (const auto& [number, there] : beaten) {
     const Problem& problem = campaign.problems()[number];
-    rows.push_back({{"problem", problem.name},
-                    {"best_known", problem.best_known.value()},
-                    {"gap", there.gap},
-                    {"tolerance", problem.tolerance},
-                    {"runs", there.runs},
-                    {"solver", there.cell->solver},
-                    {"formulation", there.cell->formulation}});
+    table.add(problem.name, problem.best_known.value(), there.gap, problem.tolerance, there.runs,
+              entry(there.cell->solver, there.cell->formulation));
   }
-  return rows;
+  return table;
 }
 
-Json lacking_data(const Plan& plan, const std::vector<MissingSolver>& missing) {
-  Json rows = Json::array();
-  for (const MissingSolver& solver : missing) {
-    const bool asked = std::ranges::any_of(
+std::vector<MissingSolver> lacking(const Plan& plan, const std::vector<MissingSolver>& missing) {
+  std::vector<MissingSolver> asked = missing;
+  std::erase_if(asked, [&](const MissingSolver& solver) {
+    return std::ranges::none_of(
         plan.parts, [&](const PlanPart& part) { return fits_any(solver.solver, part.solvers); });
-    if (asked) rows.push_back({{"solver", solver.solver}, {"library", solver.library}});
+  });
+  return asked;
+}
+
+namespace {
+
+/// Place of an entry among the ranked ones, 1 the first; nothing if it is none of them.
+std::optional<std::size_t> place_of(const Rating& wanted, const std::vector<Rating>& ratings) {
+  for (std::size_t k = 0; k < ratings.size() && ratings[k].rank; ++k) {
+    const Rating& rating = ratings[k];
+    if (rating.solver == wanted.solver && rating.formulation == wanted.formulation) return k + 1;
   }
-  return rows;
+  return {};
+}
+
+}  // namespace
+
+Table agreement_table(const Campaign& first, const std::vector<CellResult>& of_first,
+                      const Campaign& second, const std::vector<CellResult>& of_second) {
+  Table table{"families",
+              {{"family"},
+               {"problems"},
+               {"other_problems"},
+               {"entries"},
+               {"solvers"},
+               {"correlation", "", ".2f"},
+               {"lower", "", ".2f"},
+               {"upper", "", ".2f"},
+               {"leader"},
+               {"best", "P(best)", ".2f"},
+               {"place"},
+               {"other_leader"}}};
+  const std::vector<RatedFamily> others = rated_families(second, of_second);
+  for (const RatedFamily& rated : rated_families(first, of_first)) {
+    const auto other = std::ranges::find(others, rated.name, &RatedFamily::name);
+    if (other == others.end()) continue;
+    const Order order = order_of(rated.ratings), other_order = order_of(other->ratings);
+    const Rating* leader = leader_of(rated.ratings);
+    const auto agreement = agreement_of(order, other_order);
+    table.add(rated.name, rated.problems, other->problems,
+              value_of(agreement, &Agreement::entries), value_of(agreement, &Agreement::solvers),
+              value_of(agreement, &Agreement::correlation), value_of(agreement, &Agreement::lower),
+              value_of(agreement, &Agreement::upper), order.leader,
+              value_of(leader, &Rating::probability_of_being_best),
+              value_of(leader, [&](const Rating& r) { return place_of(r, other->ratings); }),
+              other_order.leader);
+  }
+  return table;
+}
+
+namespace {
+
+/// The share of a problem's runs, over all entries, that did not solve it.
+double difficulty_of(const Comparison& comparison, std::size_t problem) {
+  Share solved{};
+  for (const CellResult& result : comparison.results) {
+    if (result.cell->problem == problem) add_runs(solved, result);
+  }
+  return 1 - static_cast<double>(solved.successes) / solved.trials;
+}
+
+SampledFamily sampled(const Comparison& comparison, const Group& group, std::size_t number) {
+  std::vector<double> difficulties;
+  for (const std::size_t problem : group.problems) {
+    difficulties.push_back(difficulty_of(comparison, problem));
+  }
+  SampledFamily family{.family = group.family, .of = group.problems.size()};
+  std::vector<std::size_t> drawn;
+  for (const std::size_t k :
+       stratified_sample(difficulties, number, seed_of("sample", group.family, 0, 0))) {
+    drawn.push_back(group.problems[k]);
+    family.problems.emplace_back(comparison.campaign->problems()[group.problems[k]].name,
+                                 difficulties[k]);
+  }
+  const std::size_t budget = comparison.part->budgets.size() - 1;
+  const std::vector<Rating> ratings = rate(comparison, group.problems, budget);
+  const Order whole = order_of(ratings);
+  const Order sample = order_of(rate(comparison, drawn, budget));
+  family.agreement = agreement_of(whole, sample);
+  family.leader = whole.leader;
+  family.sample_leader = sample.leader;
+  if (const Rating* leader = leader_of(ratings)) {
+    family.returned = leader->returned;
+    family.best = leader->probability_of_being_best;
+  }
+  return family;
+}
+
+}  // namespace
+
+std::vector<SampledFamily> sampled_families(const Campaign& campaign,
+                                            const std::vector<CellResult>& results, double share,
+                                            std::size_t least) {
+  std::vector<SampledFamily> all;
+  for (const ReportedPart& part : reported_parts(campaign)) {
+    const Comparison comparison = comparison_of(campaign, results, part.usual);
+    for (Group group : groups_of(comparison)) {
+      const auto part_of_all = std::llround(share * static_cast<double>(group.problems.size()));
+      group.family = part.families.at(group.family);
+      all.push_back(
+          sampled(comparison, group, std::max(least, static_cast<std::size_t>(part_of_all))));
+    }
+  }
+  return all;
 }
 
 }  // namespace ricochet::studies::comparison

@@ -7,11 +7,10 @@
 
 #include "ricochet/solver.h"
 #include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
 #include "src/experiment/plan.h"
-#include "src/report/json.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::comparison {
 
@@ -34,37 +33,89 @@ Order order_of(const std::vector<Rating>& ratings);
 /// Returns the order of those with this formulation; an entry is a solver.
 Order order_in(std::vector<Rating> ratings, const std::string& formulation);
 
-/// Agreement of two orders, over the entries in both: "entries", "solvers", "correlation"
-/// (Kendall's), "lower" and "upper", by resampling solvers, since entries of one solver are alike.
-/// Null for fewer than five solvers, or if all entries are tied.
-report::Json agreement_of(const Order& a, const Order& b);
+/// Agreement of two orders, over the entries in both.
+struct Agreement {
+  std::size_t entries, solvers;
+  double correlation;   ///< Kendall's
+  double lower, upper;  ///< by resampling solvers, since entries of one solver are alike
+};
+
+/// Nothing for fewer than five solvers, or if all entries are tied.
+std::optional<Agreement> agreement_of(const Order& a, const Order& b);
+
+/// Expected running time of random search on the true values of a problem, with the largest budget
+/// [evaluations]; infinite if it never solved it, nothing if it was not run there.
+std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem);
+
+/// A row for each family with each budget. `first` is who is first by mean rank, by the rule that
+/// holds everywhere: the entry with the least mean rank by the returned points; none if it solved
+/// none of its runs; none named if random search solves the problems within 20 evaluations (median
+/// of its expected running times, `random`), so wherever 5 % of the box solve the problem. `most`
+/// is the entry that solves most runs, with its success rate, if it is another. Further columns:
+/// budget, largest, solver, formulation, returned (success rate), best (P(best)), takes, problems,
+/// ranked, entries, evaluated (who would be first by the best evaluated points, if another),
+/// unsolved (problems that no entry solved in any run).
+Table leader_table(const std::vector<RatedPart>& parts);
+
+/// The problems that no entry solved in any run with the largest budget: family, problem,
+/// variables, entries, runs, gap (the least of any run, in tolerances).
+Table unsolved_table(const std::vector<RatedPart>& parts);
 
 /// Is the ranking of the entries robust? Compares the order in every group with the one for other
 /// seeds, for either half of the instances, for another formulation, for the largest budget instead
 /// of the smallest, and for machines drawn around the problems' own, as far as the plan has parts
-/// for it. `ratings` are those of the groups.
-report::Json order_data(const Comparison& comparison, const std::vector<CellResult>& results,
-                        const ReportedPart& part, const std::vector<Group>& groups,
-                        const Ratings& ratings);
+/// for it.
+Table order_table(const std::vector<CellResult>& results, const std::vector<RatedPart>& parts);
+
+/// Does the order hold on problems held out? For every group, with the largest budget: how well the
+/// order of the ranked entries on half of the problems predicts that on the other half. Without a
+/// correlation for a group with too few problems or entries.
+Table held_out_table(const std::vector<RatedPart>& parts);
+
+/// For each part and family: which entry is first, with the largest budget and without
+/// perturbations, and how well the order of the entries agrees with that of the first setting:
+/// - for each price of a gradient, if a part has several;
+/// - for the surrogate of each smoothing parameter, the default one first;
+/// - on the machines of each level of a factor that varies from machine to machine, such as the
+///   fidelity of the simulation, the lowest level first.
+Table change_table(const Campaign& campaign, const std::vector<CellResult>& results,
+                   const std::vector<ReportedPart>& parts);
 
 /// The families of a campaign with complete runs, by name, as its report names and ranks them.
 std::vector<RatedFamily> rated_families(const Campaign& campaign,
                                         const std::vector<CellResult>& results);
 
-/// A row for each group with each budget, from the groups' data: its first entry, with `largest`
-/// (the budget) and `random`, the expected running time [evaluations] of random search, the median
-/// over the group's problems; null without one. No entry is named, and `easy` is true, where that
-/// is at most 20: random search then meets a solution wherever 5 % of the box solve the problem.
-report::Json leader_data(const Comparison& comparison, const std::vector<Group>& groups,
-                         const report::Json& rows);
+/// How far two campaigns with complete runs order their entries alike: a row for each family of the
+/// first that the second has, too, with the largest budget of each: the agreement (entries,
+/// solvers, correlation, lower, upper; missing where it cannot be said), `leader`, the first entry
+/// of the first campaign, with `best`, its P(best) there, and `place`, its place in the second;
+/// `other_leader`, the first of the second.
+Table agreement_table(const Campaign& first, const std::vector<CellResult>& of_first,
+                      const Campaign& second, const std::vector<CellResult>& of_second);
+
+/// A sample of the problems of a campaign whose runs are complete, drawn within each family from
+/// strata of difficulty: the share of its runs, over all entries, that did not solve a problem.
+struct SampledFamily {
+  std::string family;
+  std::size_t of;  ///< problems
+  std::vector<std::pair<std::string, double>> problems = {};  ///< drawn, with their difficulties
+  std::optional<Agreement> agreement = {};    ///< of the order on them with that on all
+  std::string leader = {};                    ///< on all
+  std::optional<double> returned = {}, best = {};  ///< its success rate and P(best)
+  std::string sample_leader = {};
+};
+
+/// A share of the problems of each family, but at least `least`.
+std::vector<SampledFamily> sampled_families(const Campaign& campaign,
+                                            const std::vector<CellResult>& results, double share,
+                                            std::size_t least);
 
 /// The problems whose best known value a run is below by more than the problem's tolerance: an
 /// error of the suite, since no such run can be scored rightly. A row for each, with the best run
 /// and the number of runs below.
-report::Json beaten_data(const Campaign& campaign,
-                         const std::vector<ricochet::comparison::CellResult>& results);
+Table beaten_table(const Campaign& campaign, const std::vector<CellResult>& results);
 
-/// Rows of solver and library: those of `missing` that a part of the plan would have selected.
-report::Json lacking_data(const Plan& plan, const std::vector<MissingSolver>& missing);
+/// The solvers, with their libraries, of `missing` that a part of the plan would have selected.
+std::vector<MissingSolver> lacking(const Plan& plan, const std::vector<MissingSolver>& missing);
 
 }  // namespace ricochet::studies::comparison

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -17,8 +20,6 @@
 namespace ricochet::studies::comparison {
 
 namespace {
-
-using report::Json;
 
 constexpr double significant_rival = 0.05;
 constexpr double most_runs = 0.5;
@@ -60,101 +61,70 @@ std::vector<Rival> rivals_of(const Campaign& campaign, const EntrySet& set, cons
   return rivals;
 }
 
-Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& own) {
-  std::vector<double> shares;
-  for (const auto& [problem, share] : shares_of(campaign, own)) shares.push_back(share);
-  const MeanShare mean = mean_share(shares);
-  int better = 0;
-  int worse = 0;
-  int clearly_better = 0;
-  int clearly_worse = 0;
-  const std::vector<Rival> rivals = rivals_of(campaign, set, own);
-  for (const Rival& rival : rivals) {
-    const bool clear = rival.p < significant_rival;
-    if (rival.difference > 0) {
-      ++better;
-      clearly_better += clear ? 1 : 0;
-    } else if (rival.difference < 0) {
-      ++worse;
-      clearly_worse += clear ? 1 : 0;
-    }
-  }
-  return {{"solver", own.solver},
-          {"family", set.family},
-          {"budget", set.budget},
-          {"formulation", own.formulation},
-          {"problems", own.results.size()},
-          {"of", set.problems.size()},
-          {"share", mean.mean},
-          {"lower", mean.interval.lower},
-          {"upper", mean.interval.upper},
-          {"rivals", rivals.size()},
-          {"better", better},
-          {"worse", worse},
-          {"clearly_better", clearly_better},
-          {"clearly_worse", clearly_worse}};
-}
-
 struct Total {
   int solved = 0, problems = 0, better = 0, worse = 0, rivals = 0;
 };
 
+/// Adds the row of an entry, and its sums to the total.
+void add_row(Table& table, Total& total, const Campaign& campaign, const EntrySet& set,
+             const Entry& own) {
+  std::vector<double> shares;
+  for (const auto& [problem, share] : shares_of(campaign, own)) {
+    shares.push_back(share);
+    ++total.problems;
+    total.solved += share >= most_runs ? 1 : 0;
+  }
+  const MeanShare mean = mean_share(shares);
+  int better = 0, worse = 0, clearly_better = 0, clearly_worse = 0;
+  const std::vector<Rival> rivals = rivals_of(campaign, set, own);
+  for (const Rival& rival : rivals) {
+    const bool clear = rival.p < significant_rival;
+    better += rival.difference > 0 ? 1 : 0;
+    worse += rival.difference < 0 ? 1 : 0;
+    clearly_better += clear && rival.difference > 0 ? 1 : 0;
+    clearly_worse += clear && rival.difference < 0 ? 1 : 0;
+  }
+  total.better += better;
+  total.worse += worse;
+  total.rivals += static_cast<int>(rivals.size());
+  table.add(own.solver, set.family, set.budget, own.formulation, own.results.size(),
+            set.problems.size(), mean.mean, mean.interval.lower, mean.interval.upper, better,
+            clearly_better, worse, clearly_worse, rivals.size());
+}
+
 }  // namespace
 
-Json own_solver_data(const Campaign& campaign, const std::vector<EntrySet>& sets,
-                     const std::vector<Solver>& suite) {
-  const auto is_own = [&](const Entry& entry) {
-    return std::ranges::find(suite, entry.solver, &Solver::name) == suite.end();
-  };
-  Json rows = Json::array();
+void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets,
+                     const std::vector<Solver>& suite, report::Results& page) {
+  Table table{"own-solvers",
+              {{"solver"},
+               {"family"},
+               {"budget", "evaluations a variable"},
+               {"formulation"},
+               {"takes"},
+               {"problems"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"better"},
+               {"clearly_better"},
+               {"worse"},
+               {"clearly_worse"},
+               {"rivals"}}};
   std::map<std::string, Total> totals;
   for (const EntrySet& set : sets) {
     if (!set.largest) continue;
     each_entry(set, [&](const Entry& entry) {
-      if (!is_own(entry)) return;
-      const Json& row = rows.emplace_back(family_row(campaign, set, entry));
-      Total& total = totals[entry.solver];
-      for (const auto& [problem, share] : shares_of(campaign, entry)) {
-        ++total.problems;
-        total.solved += share >= most_runs ? 1 : 0;
-      }
-      total.better += row["better"].get<int>();
-      total.worse += row["worse"].get<int>();
-      total.rivals += row["rivals"].get<int>();
+      const bool own = std::ranges::find(suite, entry.solver, &Solver::name) == suite.end();
+      if (own) add_row(table, totals[entry.solver], campaign, set, entry);
     });
   }
-  Json sums = Json::array();
+  Table sums{"own-totals", {{"solver"}, {"solved"}, {"problems"}, {"better"}, {"worse"}, {"rivals"}}};
   for (const auto& [solver, total] : totals) {
-    sums.push_back({{"solver", solver},
-                    {"solved", total.solved},
-                    {"problems", total.problems},
-                    {"better", total.better},
-                    {"worse", total.worse},
-                    {"rivals", total.rivals}});
+    sums.add(solver, total.solved, total.problems, total.better, total.worse, total.rivals);
   }
-  return {{"own_solvers", std::move(rows)}, {"own_totals", std::move(sums)}};
-}
-
-Json held_out_data(const Comparison& comparison, const std::vector<Group>& groups) {
-  Json rows = Json::array();
-  for (const Group& group : groups) {
-    const RankedEntries ranked =
-        ranked_entries(comparison, group.problems, comparison.part->budgets.size() - 1);
-    const auto order = held_out_order(ranked.problems, ranked.names.size(),
-                                      seed_of("held out", group.family, 0, 0));
-    Json row = {{"family", group.family},
-                {"problems", group.problems.size()},
-                {"entries", ranked.names.size()},
-                {"measured", order.has_value()}};
-    if (order) {
-      row.update({{"correlation", order->correlation},
-                  {"lower", order->interval.lower},
-                  {"upper", order->interval.upper},
-                  {"first_stays", order->first_stays}});
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
+  page.add(std::move(table));
+  page.add(std::move(sums));
 }
 
 namespace {
@@ -168,27 +138,61 @@ double p_value_of(const Shares& shares) {
   return fisher_exact_test(ends, shares[1]);
 }
 
-void add_rows(Json& rows, const std::map<std::string, Shares>& entries) {
+void add_rows(Table& table, const std::map<std::string, Shares>& entries) {
   std::vector<double> p_values;
   for (const auto& [entry, shares] : entries) p_values.push_back(p_value_of(shares));
   p_values = holm(p_values);
   auto p_value = p_values.begin();
   for (const auto& [entry, shares] : entries) {
-    Json row = {{"solver", entry},
-                {"runs", shares[0].trials},
-                {"p_value", *p_value},
-                {"leans", *p_value < 0.05}};
-    for (std::size_t k = 0; k < places.size(); ++k) row[places[k]] = share_data(shares[k]);
-    rows.push_back(std::move(row));
+    std::vector<Value> row = {entry};
+    for (const Share& share : shares) {
+      const Interval interval = wilson_interval(share.successes, share.trials);
+      row.insert(row.end(), {share.successes / static_cast<double>(share.trials), interval.lower,
+                             interval.upper});
+    }
+    row.insert(row.end(), {static_cast<std::int64_t>(shares[0].trials), *p_value, *p_value < 0.05});
+    table.add_row(std::move(row));
     ++p_value;
   }
 }
 
+report::Chart chart_of(const Table& table) {
+  report::Chart chart{.name = "relocated-optima",
+                      .x = {"entry"},
+                      .y = {"solved [%]", report::Scale::linear, report::Range{0, 100}},
+                      .width = 760,
+                      .height = 420};
+  std::vector<std::string> biased;
+  each_row(table, [&](const Row& row) {
+    chart.x.categories.push_back(row.text("entry"));
+    if (row.is("biased")) biased.push_back(row.text("entry"));
+  });
+  for (const char* place : places) {
+    report::Series& series = chart.series.emplace_back(report::Series{
+        std::string(place) == "middle" ? place : fmt::format("{} end", place), report::Mark::points,
+        {}});
+    each_row(table, [&](const Row& row) {
+      series.samples.push_back({static_cast<double>(series.samples.size()), 100 * row.number(place)});
+    });
+  }
+  chart.title = biased.empty() ? "No entry is biased to a place in the box"
+                               : fmt::format("Biased to a place in the box: {}",
+                                             fmt::join(biased, "; "));
+  return chart;
+}
+
 }  // namespace
 
-Json relocated_optimum_data(const Campaign& campaign, const std::vector<CellResult>& results) {
-  Json rows = Json::array();
-  Json parts = Json::array();
+void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult>& results,
+                          report::Results& page) {
+  Table table{"relocated-optima", {{"entry"}}};
+  for (const char* place : places) {
+    table.columns.push_back({place, "", ".0%", 3});
+    table.columns.push_back({fmt::format("{}_lower", place), "", ".0%", 3});
+    table.columns.push_back({fmt::format("{}_upper", place), "", ".0%", 3});
+  }
+  table.columns.insert(table.columns.end(), {{"runs"}, {"p_value", "p", ".3f"}, {"biased"}});
+  std::vector<std::string> parts;
   for (std::size_t part = 0; part < campaign.plan().parts.size(); ++part) {
     if (!campaign.plan().parts[part].relocated_optimum) continue;
     std::map<std::string, Shares> entries;
@@ -202,18 +206,14 @@ Json relocated_optimum_data(const Campaign& campaign, const std::vector<CellResu
         problems.insert(result.cell->problem);
       }
     }
-    add_rows(rows, entries);
-    Json variables = variables_of(campaign, {problems.begin(), problems.end()});
-    variables["problems"] = problems.size();
-    parts.push_back(std::move(variables));
+    add_rows(table, entries);
+    parts.push_back(fmt::format("{} problem{} of {}", problems.size(),
+                                problems.size() == 1 ? "" : "s",
+                                variables_of(campaign, {problems.begin(), problems.end()})));
   }
-  Json biased = Json::array();
-  for (const Json& row : rows) {
-    if (row["leans"] == true) biased.push_back(row["solver"]);
-  }
-  return {{"relocated_optima", std::move(rows)},
-          {"biased", std::move(biased)},
-          {"relocated", std::move(parts)}};
+  page.set("relocated", parts.empty() ? Value() : value_of(fmt::format("{}", fmt::join(parts, ", "))));
+  if (!table.rows.empty()) page.add(chart_of(table));
+  page.add(std::move(table));
 }
 
 }  // namespace ricochet::studies::comparison

@@ -5,26 +5,180 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/order.h"
-#include "src/analysis/comparison/shares.h"
 #include "src/analysis/statistics/attainment.h"
+#include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
+#include "src/analysis/statistics/running_time.h"
 #include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::Mark;
+using report::Range;
+using report::Scale;
+using report::Series;
+
+/// A row for each problem, a column for each entry.
+template <class Cost>
+Costs costs_of(const EntrySet& set, const Cost& cost) {
+  Costs costs(set.problems.size());
+  for (std::size_t q = 0; q < costs.size(); ++q) {
+    for (const Entry& entry : set.entries) costs[q].push_back(cost(*entry.results[q]));
+  }
+  return costs;
+}
+
+/// Share of the problems on which the entry's ratio is below 1.
+double share_won(const Costs& extended, std::size_t entry) {
+  const auto won = std::count_if(extended.begin(), extended.end(),
+                                 [&](const auto& row) { return row[entry] < 1; });
+  return static_cast<double>(won) / static_cast<double>(extended.size());
+}
+
+/// The share of problems [%] within a factor of the least cost, over the factor.
+Series profile_of(const Costs& ratios, std::size_t entry, const std::string& name) {
+  Series profile{name, Mark::steps, {}};
+  for (int k = 0; k <= 14; ++k) {
+    const double ratio = std::pow(2.0, k / 2.0);
+    profile.samples.push_back({ratio, 100 * performance_profile(ratios, entry, ratio).mean});
+  }
+  return profile;
+}
+
+/// One bar per problem, in rising order: log2 of the expected evaluations of the first over those
+/// of the second.
+Chart log_ratio_chart(const Campaign& campaign, const EntrySet& set,
+                      const std::vector<const Entry*>& best) {
+  const Entry& a = *best[0];
+  const Entry& b = *best[1];
+  std::vector<double> costs_of_a, costs_of_b;
+  for (std::size_t q = 0; q < set.problems.size(); ++q) {
+    costs_of_a.push_back(running_time(campaign, *a.results[q]));
+    costs_of_b.push_back(running_time(campaign, *b.results[q]));
+  }
+  std::array<Series, 4> bars;
+  const std::array names{std::string("both solve it"), "only " + a.solver, "only " + b.solver,
+                         std::string("neither does")};
+  int ahead = 0, place = 0;
+  for (const LogRatio& bar : log_ratio_profile(costs_of_a, costs_of_b)) {
+    bars.at(static_cast<std::size_t>(bar.solved_by))
+        .samples.push_back({static_cast<double>(++place), bar.log2_ratio,
+                            Range{std::min(bar.log2_ratio, 0.0), std::max(bar.log2_ratio, 0.0)}});
+    if (bar.solved_by != SolvedBy::neither && bar.log2_ratio < 0) ++ahead;
+  }
+  Chart chart{.name = "log-ratio",
+              .title = fmt::format("{}: {} needs less than {} on {} of {} problems", set.family,
+                                   a.solver, b.solver, ahead, set.problems.size()),
+              .x = {"problem, by the ratio"},
+              .y = {fmt::format("log2 of the evaluations of {} over those of {}", a.solver, b.solver)},
+              .width = 820,
+              .height = 300};
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    if (bars.at(k).samples.empty()) continue;
+    bars.at(k).label = names.at(k);
+    bars.at(k).mark = Mark::points;
+    chart.series.push_back(std::move(bars.at(k)));
+  }
+  return chart;
+}
+
+}  // namespace
+
+void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results& page) {
+  constexpr std::size_t drawn = 6;
+  const Costs times =
+      costs_of(set, [&](const CellResult& result) { return running_time(campaign, result); });
+  const Costs penalised =
+      costs_of(set, [&](const CellResult& result) { return penalised_cost(campaign, result); });
+  const Costs ratios = performance_ratios(times);
+  const Costs extended = extended_performance_ratios(times);
+  const double best = mean_cost(virtual_best(penalised));
+  Table table{"profile",
+              {{"solver"},
+               {"formulation"},
+               {"least", "least [%]", ".0%"},
+               {"twice", "at most twice [%]", ".0%"},
+               {"tenfold", "at most tenfold [%]", ".0%"},
+               {"solved", "solved [%]", ".0%"},
+               {"alone", "ahead of all others [%]", ".0%"},
+               {"cost", "PAR10 [evaluations a variable]", ".3g"},
+               {"gap", "times the virtual best's", ".2g", 3}}};
+  Chart chart{.name = "profile",
+              .x = {"ratio to the least expected evaluations of any solver", Scale::logarithmic},
+              .y = {"problems [%]", Scale::linear, Range{0, 100}},
+              .width = 820,
+              .height = 380};
+  const std::vector<const Entry*> order = cheapest_first(campaign, set);
+  for (const Entry* entry : order) {
+    const auto e = static_cast<std::size_t>(entry - set.entries.data());
+    std::vector<double> mine;
+    for (const auto& row : penalised) mine.push_back(row[e]);
+    const auto within = [&](double ratio) { return performance_profile(ratios, e, ratio).mean; };
+    table.add(entry->solver, entry->formulation, within(1), within(2), within(10),
+              within(std::numeric_limits<double>::infinity()), share_won(extended, e),
+              mean_cost(mine), mean_cost(mine) / best);
+    if (chart.series.size() < drawn) {
+      chart.series.push_back(
+          profile_of(ratios, e, ricochet::comparison::entry(entry->solver, entry->formulation)));
+    }
+  }
+  const Row first = table[0];
+  chart.title = fmt::format("{}: {} is within twice the least cost on {:.0f} % of {} problems",
+                            set.family, first.text("solver"), 100 * first.number("twice"),
+                            set.problems.size());
+  page.set("virtual-best",
+           fmt::format("The single best by PAR10 is {}, with {:.3g} evaluations a variable, {:.2g} "
+                       "times the virtual best's {:.3g}.",
+                       first.text("solver"), first.number("cost"), first.number("gap"), best));
+  page.add(std::move(table));
+  page.add(std::move(chart));
+  page.add(log_ratio_chart(campaign, set, order));
+}
+
+double running_time(const Campaign& campaign, const CellResult& result) {
+  const OnProblem one = on_problem(campaign, result);
+  return one.share > 0 ? one.evaluations / one.share : std::numeric_limits<double>::infinity();
+}
+
+double penalised_cost(const Outcome& outcome, double budget) {
+  if (!outcome.solved()) return 10 * budget;
+  return std::max(static_cast<double>(evaluations_until_solved(outcome)), 1.0);
+}
+
+double penalised_cost(const Campaign& campaign, const CellResult& result) {
+  double sum = 0;
+  const auto budget = static_cast<double>(result.cell->budget.evaluations);
+  for (const Outcome& outcome : result.outcomes) sum += penalised_cost(outcome, budget);
+  const auto& stated = campaign.problems()[result.cell->problem];
+  return sum / static_cast<double>(result.outcomes.size()) /
+         static_cast<double>(stated.dimension());
+}
+
+std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySet& set) {
+  std::vector<std::pair<double, const Entry*>> order;
+  for (const Entry& entry : set.entries) {
+    std::vector<double> costs;
+    for (const CellResult* result : entry.results) {
+      costs.push_back(penalised_cost(campaign, *result));
+    }
+    order.emplace_back(mean_cost(costs), &entry);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const Entry*> entries;
+  for (const auto& [cost, entry] : order) entries.push_back(entry);
+  return entries;
+}
+
+namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -78,75 +232,75 @@ RunsOfUnits histories_of(const Campaign& campaign, const Entry& entry, double va
   return units;
 }
 
-/// Shows which of the two is ahead: a row for each optimality gap, a column for each number of
-/// evaluations.
-Json map_of(const Campaign& campaign, const EntrySet& set, const Entry& a, const Entry& b) {
+/// Shows which of the two is ahead, in points: a row for each optimality gap, a column for each
+/// number of evaluations.
+Chart lead_map(const Campaign& campaign, const EntrySet& set, const Entry& a, const Entry& b) {
   double variables = 1;
   for (const std::size_t q : set.problems) {
     variables = std::max(variables, static_cast<double>(campaign.problems()[q].dimension()));
   }
   AttainmentGrid grid{{}, {1, 3, 5, 9, 17, 100, 1000}};
-  Json places = Json::array();
+  Chart chart{.name = "lead",
+              .x = {"evaluations for each variable"},
+              .y = {"optimality gap [tolerances]"},
+              .heat_map = report::HeatMap{fmt::format("{} less {} [points]", a.solver, b.solver),
+                                          {},
+                                          Range{-100, 100}},
+              .width = 820,
+              .height = 320};
   for (double t = 1; t < 1.001 * static_cast<double>(set.budget); t *= std::sqrt(std::sqrt(10))) {
     grid.evaluations.push_back(t * variables);
-    places.push_back({{"evaluations", t}});
+    chart.x.categories.push_back(fmt::format("{:.3g}", t));
   }
   const auto difference = attainment_difference(histories_of(campaign, a, variables),
                                                 histories_of(campaign, b, variables), grid);
-  Json rows = Json::array();
   double most = 0;  // significant leads, in the share solved
   double least = 0;
-  int sure = 0;
   for (std::size_t v = 0; v < grid.values.size(); ++v) {
-    Json cells = Json::array();
+    auto& row = chart.heat_map->rows.emplace_back();
     for (std::size_t t = 0; t < grid.evaluations.size(); ++t) {
       const Attained& one = difference[t][v];
-      cells.push_back(one.share);
-      if (one.interval.lower <= 0 && one.interval.upper >= 0) continue;
-      ++sure;
-      if (v > 0) continue;
+      row.emplace_back(100 * one.share);
+      if (v > 0 || (one.interval.lower <= 0 && one.interval.upper >= 0)) continue;
       most = std::max(most, one.share);
       least = std::min(least, one.share);
     }
-    rows.push_back({{"optimality_gap", grid.values[v]}, {"cells", std::move(cells)}});
+    chart.y.categories.push_back(fmt::format("{:g}", grid.values[v]));
   }
   const bool first = most >= -least;
-  const std::string title = most == least
-                                ? fmt::format("{}: nothing tells {} from {} in what they solve",
-                                              set.family, a.solver, b.solver)
-                                : fmt::format("{}: {} solves up to {:.0f} points more than {}",
-                                              set.family, (first ? a : b).solver,
-                                              100 * std::max(most, -least), (first ? b : a).solver);
-  return {{"title", title},
-          {"a", a.solver},
-          {"b", b.solver},
-          {"sure", sure},
-          {"all_cells", grid.values.size() * grid.evaluations.size()},
-          {"places", std::move(places)},
-          {"rows", std::move(rows)}};
+  chart.title = most == least
+                    ? fmt::format("{}: nothing tells {} from {} in what they solve", set.family,
+                                  a.solver, b.solver)
+                    : fmt::format("{}: {} solves up to {:.0f} points more than {}", set.family,
+                                  (first ? a : b).solver, 100 * std::max(most, -least),
+                                  (first ? b : a).solver);
+  chart.description = fmt::format(
+      "Heat map of the difference of the attainment functions of {} and {}.", a.solver, b.solver);
+  return chart;
 }
 
-Json entry_set_data(const Campaign& campaign, const EntrySet& set) {
+}  // namespace
+
+void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& page) {
   constexpr std::size_t compared = 4;
   std::vector<const Entry*> best = cheapest_first(campaign, set);
   best.resize(std::min(compared, best.size()));
-  Json pairs = Json::array();
+  struct Pair {
+    const Entry *a, *b;
+    SignedRankPosterior posterior;
+    int a_faster = 0, b_faster = 0;
+  };
+  std::vector<Pair> pairs;
   std::vector<double> p_values;
   std::vector<double> faster;  // P(a is faster than b), for each p-value
   for (std::size_t i = 0; i < best.size(); ++i) {
     for (std::size_t k = i + 1; k < best.size(); ++k) {
       const Entry& a = *best[i];
       const Entry& b = *best[k];
-      const SignedRankPosterior posterior =
-          bayesian_signed_rank(differences(campaign, a, b), 1,
-                               seed_of("pairs", set.family, static_cast<int>(i * compared + k), 0));
-      pairs.push_back({{"family", set.family},
-                       {"a", a.solver},
-                       {"b", b.solver},
-                       {"problems", set.problems.size()},
-                       {"better", posterior.negative},
-                       {"equivalent", posterior.equivalent},
-                       {"worse", posterior.positive}});
+      pairs.push_back({&a, &b,
+                       bayesian_signed_rank(differences(campaign, a, b), 1,
+                                            seed_of("pairs", set.family,
+                                                    static_cast<int>(i * compared + k), 0))});
       for (std::size_t q = 0; q < set.problems.size(); ++q) {
         const RankSumTest test = rank_sum_test(times_of(*a.results[q]), times_of(*b.results[q]));
         p_values.push_back(test.p_value);
@@ -155,205 +309,26 @@ Json entry_set_data(const Campaign& campaign, const EntrySet& set) {
     }
   }
   const std::vector<double> adjusted = holm(p_values);
+  Table table{"pairs",
+              {{"a", "A"},
+               {"b", "B"},
+               {"better", "P(A better)", ".2f", 3},
+               {"equivalent", "P(equivalent)", ".2f", 3},
+               {"worse", "P(A worse)", ".2f", 3},
+               {"a_faster", "A significantly faster"},
+               {"b_faster", "B significantly faster"},
+               {"problems"}}};
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-    int a_faster = 0;
-    int b_faster = 0;
+    Pair& one = pairs[pair];
     for (std::size_t q = 0; q < set.problems.size(); ++q) {
       const std::size_t test = pair * set.problems.size() + q;
-      if (adjusted[test] >= 0.05) continue;
-      ++(faster[test] > 0.5 ? a_faster : b_faster);
+      if (adjusted[test] < 0.05) ++(faster[test] > 0.5 ? one.a_faster : one.b_faster);
     }
-    pairs[pair]["a_faster"] = a_faster;
-    pairs[pair]["b_faster"] = b_faster;
+    table.add(one.a->solver, one.b->solver, one.posterior.negative, one.posterior.equivalent,
+              one.posterior.positive, one.a_faster, one.b_faster, set.problems.size());
   }
-  return {{"family", set.family},
-          {"budget", set.budget},
-          {"map", map_of(campaign, set, *best[0], *best[1])},
-          {"pairs", std::move(pairs)}};
-}
-
-}  // namespace
-
-Json pair_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_compared(sets, [&](const EntrySet& set) { return entry_set_data(campaign, set); });
-}
-
-namespace {
-
-/// Place of an entry among the ranked ones, 1 the first; null if it is none of them.
-Json place_of(const Rating& wanted, const std::vector<Rating>& ratings) {
-  for (std::size_t k = 0; k < ratings.size() && ratings[k].rank; ++k) {
-    const Rating& rating = ratings[k];
-    if (rating.solver == wanted.solver && rating.formulation == wanted.formulation) return k + 1;
-  }
-  return {};
-}
-
-}  // namespace
-
-Json agreement_data(const Campaign& first, const std::vector<CellResult>& of_first,
-                    const Campaign& second, const std::vector<CellResult>& of_second) {
-  const std::vector<RatedFamily> others = rated_families(second, of_second);
-  Json rows = Json::array();
-  for (const RatedFamily& rated : rated_families(first, of_first)) {
-    const auto other = std::ranges::find(others, rated.name, &RatedFamily::name);
-    if (other == others.end()) continue;
-    const Order order = order_of(rated.ratings);
-    const Order other_order = order_of(other->ratings);
-    const Rating* leader = leader_of(rated.ratings);
-    rows.push_back({{"family", rated.name},
-                    {"problems", rated.problems},
-                    {"other_problems", other->problems},
-                    {"agreement", agreement_of(order, other_order)},
-                    {"leader", order.leader},
-                    {"best", leader != nullptr ? Json(leader->probability_of_being_best) : Json()},
-                    {"place", leader != nullptr ? place_of(*leader, other->ratings) : Json()},
-                    {"other_leader", other_order.leader}});
-  }
-  return rows;
-}
-
-namespace {
-
-Json log_ratios_of(const Campaign& campaign, const EntrySet& set) {
-  const std::vector<const Entry*> best = cheapest_first(campaign, set);
-  const Entry& a = *best[0];
-  const Entry& b = *best[1];
-  std::vector<double> costs_of_a;
-  std::vector<double> costs_of_b;
-  for (std::size_t q = 0; q < set.problems.size(); ++q) {
-    costs_of_a.push_back(running_time(campaign, *a.results[q]));
-    costs_of_b.push_back(running_time(campaign, *b.results[q]));
-  }
-  const std::array names{std::string("both solve it"), "only " + a.solver, "only " + b.solver,
-                         std::string("neither does")};
-  std::array<Json, 4> bars;
-  for (Json& one : bars) one = Json::array();
-  int ahead_a = 0;
-  int ahead_b = 0;
-  int place = 0;
-  for (const LogRatio& bar : log_ratio_profile(costs_of_a, costs_of_b)) {
-    ++place;
-    const auto kind = static_cast<std::size_t>(bar.solved_by);
-    bars[kind].push_back({{"place", place},
-                          {"problem", campaign.problems()[set.problems[bar.problem]].name},
-                          {"log2_ratio", bar.log2_ratio},
-                          {"lower", std::min(bar.log2_ratio, 0.0)},
-                          {"upper", std::max(bar.log2_ratio, 0.0)}});
-    if (bar.solved_by == SolvedBy::neither) continue;
-    if (bar.log2_ratio < 0) ++ahead_a;
-    if (bar.log2_ratio > 0) ++ahead_b;
-  }
-  Json kinds = Json::array();
-  for (std::size_t k = 0; k < bars.size(); ++k) {
-    if (!bars[k].empty()) kinds.push_back({{"solved_by", names[k]}, {"bars", std::move(bars[k])}});
-  }
-  return {{"family", set.family},
-          {"a", a.solver},
-          {"b", b.solver},
-          {"formulation_a", a.formulation},
-          {"formulation_b", b.formulation},
-          {"ahead_a", ahead_a},
-          {"ahead_b", ahead_b},
-          {"problems", set.problems.size()},
-          {"title", fmt::format("{}: {} needs less than {} on {} of {} problems", set.family,
-                                a.solver, b.solver, ahead_a, set.problems.size())},
-          {"kinds", std::move(kinds)}};
-}
-
-}  // namespace
-
-Json log_ratio_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_solved(sets, [&](const EntrySet& set) { return log_ratios_of(campaign, set); });
-}
-
-namespace {
-
-constexpr double solving_share = 0.5;  // of the runs
-constexpr double significant_split = 0.05;
-constexpr std::size_t fewest = 3;  // entries with a property, and without
-
-struct Solved {
-  const Solver* solver;
-  std::string formulation;
-  double share;
-};
-
-struct Property {
-  std::string name;
-  std::function<bool(const Solved&)> holds;
-};
-
-std::vector<Property> properties_of(const std::vector<Solved>& entries) {
-  std::vector<Property> properties = {
-      {"gradients",
-       [](const Solved& entry) {
-         return entry.solver->capabilities.derivatives != Capabilities::Order::value;
-       }},
-      {"stochastic", [](const Solved& entry) { return entry.solver->stochastic; }}};
-  std::set<std::string> formulations;
-  for (const Solved& entry : entries) formulations.insert(entry.formulation);
-  for (const std::string& formulation : formulations) {
-    properties.push_back({"formulation " + formulation, [formulation](const Solved& entry) {
-                            return entry.formulation == formulation;
-                          }});
-  }
-  return properties;
-}
-
-double mean(const std::vector<double>& shares) {
-  return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-}
-
-struct Split {
-  std::string name;
-  std::vector<double> those, others;  ///< success rates with and without the property
-};
-
-std::vector<Split> splits_of(const std::vector<Solved>& entries) {
-  std::vector<Split> splits;
-  for (const Property& property : properties_of(entries)) {
-    Split split{property.name, {}, {}};
-    for (const Solved& entry : entries) {
-      (property.holds(entry) ? split.those : split.others).push_back(entry.share);
-    }
-    if (std::min(split.those.size(), split.others.size()) >= fewest) splits.push_back(split);
-  }
-  return splits;
-}
-
-}  // namespace
-
-Json separation_data(const Comparison& comparison, std::size_t problem) {
-  std::vector<Solved> entries;
-  for (const CellResult& result : comparison.results) {
-    const Cell& cell = result.cell->cell;
-    if (result.cell->problem != problem || cell.budget != comparison.part->budgets.back()) continue;
-    Share solved{};
-    add_runs(solved, result);
-    entries.push_back({&comparison.campaign->solvers()[result.cell->solver], cell.formulation,
-                       static_cast<double>(solved.successes) / solved.trials});
-  }
-  Json data = {
-      {"entries", entries.size()},
-      {"solving", std::ranges::count_if(
-                      entries, [](const Solved& entry) { return entry.share >= solving_share; })},
-      {"separates", nullptr},
-      {"those", nullptr},
-      {"others", nullptr}};
-  const std::vector<Split> splits = splits_of(entries);
-  std::vector<double> p_values;
-  for (const Split& split : splits) {
-    p_values.push_back(rank_sum_test(split.those, split.others).p_value);
-  }
-  p_values = holm(p_values);
-  const auto least = std::ranges::min_element(p_values);
-  if (least == p_values.end() || *least >= significant_split) return data;
-  const Split& split = splits[static_cast<std::size_t>(least - p_values.begin())];
-  data["separates"] = split.name;
-  data["those"] = mean(split.those);
-  data["others"] = mean(split.others);
-  return data;
+  page.add(std::move(table));
+  page.add(lead_map(campaign, set, *best[0], *best[1]));
 }
 
 }  // namespace ricochet::studies::comparison

@@ -10,7 +10,6 @@
 
 #include "src/analysis/results.h"
 #include "src/experiment/campaign.h"
-#include "src/report/json.h"
 
 namespace ricochet::studies::comparison {
 
@@ -117,30 +116,6 @@ void each_entry(const EntrySet& set, const Use& use) {
   for (const auto* entries : {&set.entries, &set.partial}) {
     for (const Entry& entry : *entries) use(entry);
   }
-}
-
-/// Calls `tell` for each set that `takes` and collects what it returns.
-template <class Takes, class Tell>
-report::Json of_sets(const std::vector<EntrySet>& sets, const Takes& takes, const Tell& tell) {
-  report::Json all = report::Json::array();
-  for (const EntrySet& set : sets) {
-    if (takes(set)) all.push_back(tell(set));
-  }
-  return all;
-}
-
-/// Of the sets whose entries are compared.
-template <class Tell>
-report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {
-  return of_sets(
-      sets, [](const EntrySet& set) { return set.compared(); }, tell);
-}
-
-/// Of those of which a run solved its problem, too: no other costs can be compared.
-template <class Tell>
-report::Json of_solved(const std::vector<EntrySet>& sets, const Tell& tell) {
-  return of_sets(
-      sets, [](const EntrySet& set) { return set.compared() && set.any_solved(); }, tell);
 }
 
 /// The results of one entry on one problem, by the returned points; all runs have the same weight.

@@ -1,26 +1,27 @@
 #include "src/analysis/comparison/shares.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/order.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
-#include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 
 namespace {
-
-using report::Json;
 
 /// Returns the kind of failure of a run that did not solve its problem.
 std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
@@ -64,53 +65,68 @@ std::string name_of(const std::string& machine, const std::map<std::string, doub
 /// Machine and perturbation.
 using Fates = std::map<std::pair<std::string, std::string>, Fate>;
 
-/// Returns a map of machines over perturbations for the share solved, and one for each kind of
-/// failure.
-Json maps_of(const Fates& fates, const std::map<std::string, std::string>& names) {
-  std::vector<std::string> perturbations;
-  for (const Perturbation& perturbation : all_perturbations()) {
-    const bool there = std::any_of(fates.begin(), fates.end(), [&](const auto& fate) {
-      return fate.first.second == perturbation.name;
-    });
-    if (there) perturbations.push_back(perturbation.name);
-  }
+/// The kinds of outcomes, "solved" first.
+std::vector<std::string> kinds_in(const Fates& fates) {
   std::vector<std::string> kinds = {"solved"};
   for (const auto& [key, fate] : fates) {
     for (const auto& [kind, times] : fate.kinds) {
-      if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+      if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
     }
   }
-  Json maps = Json::array();
-  for (const std::string& kind : kinds) {
-    Json rows = Json::array();
-    double most = 0;
-    for (const auto& [machine, name] : names) {
-      Json cells = Json::array();
-      for (const std::string& perturbation : perturbations) {
-        const auto fate = fates.find({machine, perturbation});
-        if (fate == fates.end()) {
-          cells.push_back(nullptr);
-          continue;
-        }
-        const auto times = fate->second.kinds.find(kind);
-        const int ended = kind == "solved"                    ? fate->second.solved
-                          : times == fate->second.kinds.end() ? 0
-                                                              : times->second;
-        const double share = ended / static_cast<double>(fate->second.runs);
-        most = std::max(most, share);
-        cells.push_back(share);
-      }
-      rows.push_back({{"machine", name}, {"cells", std::move(cells)}});
-    }
-    maps.push_back(
-        {{"number", maps.size() + 1}, {"kind", kind}, {"most", most}, {"rows", std::move(rows)}});
+  return kinds;
+}
+
+/// The share of a machine's runs under a perturbation that ended so [%]; nothing without runs.
+std::optional<double> ended(const Fates& fates, const std::string& machine,
+                            const std::string& perturbation, const std::string& kind) {
+  const auto fate = fates.find({machine, perturbation});
+  if (fate == fates.end()) return {};
+  const auto times = fate->second.kinds.find(kind);
+  const int number = kind == "solved"                    ? fate->second.solved
+                     : times == fate->second.kinds.end() ? 0
+                                                         : times->second;
+  return 100 * number / static_cast<double>(fate->second.runs);
+}
+
+/// Machines over perturbations, for one kind of outcome.
+report::Part map_of(const Fates& fates, const std::map<std::string, std::string>& names,
+                    const std::string& kind) {
+  report::Chart chart{.name = "atlas",
+                      .x = {"perturbation"},
+                      .y = {""},
+                      .heat_map = report::HeatMap{"runs [%]", {}, report::Range{0, 100}}};
+  for (const Perturbation& perturbation : all_perturbations()) {
+    const bool there = std::ranges::any_of(
+        fates, [&](const auto& fate) { return fate.first.second == perturbation.name; });
+    if (there) chart.x.categories.push_back(perturbation.name);
   }
-  return maps;
+  double most = 0;
+  for (auto name = names.rbegin(); name != names.rend(); ++name) {  // from the bottom
+    chart.y.categories.push_back(name->second);
+    auto& row = chart.heat_map->rows.emplace_back();
+    for (const std::string& perturbation : chart.x.categories) {
+      row.push_back(ended(fates, name->first, perturbation, kind));
+      most = std::max(most, row.back().value_or(0));
+    }
+  }
+  chart.title = fmt::format("{}: at most {:.0f} % of the runs on a machine under a perturbation", kind,
+                            most);
+  chart.width = 900;
+  chart.height = 230 + 26 * static_cast<int>(names.size());
+  chart.description = fmt::format(
+      "Heat map of the share of runs with the outcome {}, over perturbation and machine.", kind);
+  std::string id = kind;
+  std::erase(id, ',');
+  std::ranges::replace(id, ' ', '-');
+  report::Part part{id, kind, {}};
+  part.results.add(std::move(chart));
+  return part;
 }
 
 }  // namespace
 
-Json atlas_data(const Campaign& campaign, const std::vector<CellResult>& results) {
+void add_atlas(const Campaign& campaign, const std::vector<CellResult>& results,
+               report::Results& page) {
   const auto largest = largest_budgets(results);
   Fates fates;
   std::map<std::string, std::map<std::string, double>> factors;
@@ -135,117 +151,102 @@ Json atlas_data(const Campaign& campaign, const std::vector<CellResult>& results
       ++fate.kinds[kind];
     }
   }
-  Json rows = Json::array();
+  Table table{"atlas",
+              {{"machine"},
+               {"perturbation"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"runs"},
+               {"kinds", "other outcomes"},
+               {"command", "repeats a failed run"}}};
   std::map<std::string, std::string> names;
   for (const auto& [key, fate] : fates) {
-    const std::string& machine = key.first;
-    const std::string& perturbation = key.second;
-    const auto factor = [&](const char* name) {
-      const auto found = factors[machine].find(name);
-      return found == factors[machine].end() ? Json() : Json(found->second);
-    };
+    const auto& [machine, perturbation] = key;
     names[machine] = name_of(machine, factors[machine]);
-    Json row = {{"machine", machine},
-                {"restitution", factor("restitution")},
-                {"friction", factor("friction")},
-                {"disturbance", factor("disturbance")},
-                {"perturbation", perturbation},
-                {"runs", fate.runs},
-                {"share", fate.solved / static_cast<double>(fate.runs)},
-                {"command", fate.command}};
     const Interval interval = wilson_interval(fate.solved, fate.runs);
-    row["lower"] = interval.lower;
-    row["upper"] = interval.upper;
-    std::string kinds;
-    for (const auto& [kind, times] : fate.kinds) {
-      kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", times, kind);
-    }
-    row["kinds"] = kinds;
-    rows.push_back(std::move(row));
+    std::vector<std::string> kinds;
+    for (const auto& [kind, times] : fate.kinds) kinds.push_back(fmt::format("{} {}", times, kind));
+    table.add(names[machine], perturbation, fate.solved / static_cast<double>(fate.runs),
+              interval.lower, interval.upper, fate.runs, fmt::format("{}", fmt::join(kinds, ", ")),
+              fate.command);
   }
-  return {{"atlas", std::move(rows)}, {"atlas_maps", maps_of(fates, names)}};
+  page.add(std::move(table));
+  if (fates.empty()) return;
+  for (const std::string& kind : kinds_in(fates)) page.add("outcomes", map_of(fates, names, kind));
 }
 
-Json failure_data(const ricochet::comparison::Comparison& comparison) {
-  Json rows = Json::array();
-  for (const auto& result : comparison.results) {
-    const Cell& cell = result.cell->cell;
-    // The number of failures, and the first instance with one.
-    std::map<std::string, std::pair<int, int>> failures;
-    for (const auto& outcome : result.outcomes) {
-      if (outcome.failure.empty()) continue;
-      ++failures.try_emplace(outcome.failure, 0, outcome.instance).first->second.first;
-    }
-    for (const auto& [what, times] : failures) {
-      rows.push_back({{"solver", cell.solver},
-                      {"problem", cell.problem},
-                      {"formulation", cell.formulation},
-                      {"what", what},
-                      {"times", times.first},
-                      {"runs", result.outcomes.size()},
-                      {"command", fmt::format("ricochet solve '{}' {} --formulation {} --budget {} "
-                                              "--instance {} --seed {}",
-                                              cell.solver, cell.problem, cell.formulation,
-                                              result.cell->budget.evaluations, times.second,
-                                              comparison.run)}});
+Table failure_table(const std::vector<RatedPart>& parts) {
+  Table table{"failures",
+              {{"solver"},
+               {"problem"},
+               {"formulation"},
+               {"what", "what happened"},
+               {"times", "failed"},
+               {"runs"},
+               {"command"}}};
+  for (const RatedPart& part : parts) {
+    for (const CellResult& result : part.comparison.results) {
+      const Cell& cell = result.cell->cell;
+      // The number of failures, and the first instance with one.
+      std::map<std::string, std::pair<int, int>> failures;
+      for (const Outcome& outcome : result.outcomes) {
+        if (outcome.failure.empty()) continue;
+        ++failures.try_emplace(outcome.failure, 0, outcome.instance).first->second.first;
+      }
+      for (const auto& [what, times] : failures) {
+        table.add(cell.solver, cell.problem, cell.formulation, what, times.first,
+                  result.outcomes.size(),
+                  fmt::format("ricochet solve '{}' {} --formulation {} --budget {} --instance {} "
+                              "--seed {}",
+                              cell.solver, cell.problem, cell.formulation,
+                              result.cell->budget.evaluations, times.second, part.comparison.run));
+      }
     }
   }
-  return rows;
+  return table;
 }
 
-namespace {
+Table formulation_table(const Comparison& comparison, const Group& group) {
+  Table table{"formulations",
+              {{"solver"},
+               {"formulation"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"runs"}}};
+  for (const auto& [solver, formulations] : shares_by_formulation(comparison, group)) {
+    if (formulations.size() < 2) continue;
+    for (const auto& [formulation, share] : formulations) {
+      const Interval interval = wilson_interval(share.successes, share.trials);
+      table.add(solver, formulation, share.successes / static_cast<double>(share.trials),
+                interval.lower, interval.upper, share.trials);
+    }
+  }
+  return table;
+}
 
-void add_ceilings(Json& rows, const Comparison& comparison, const Group& group) {
+Table ceiling_table(const Comparison& comparison, const Group& group) {
+  Table table{"surrogate-bias",
+              {{"problem"},
+               {"smoothing"},
+               {"optimum", "surrogate's optimum", ".3f"},
+               {"best", "best point", ".3f"},
+               {"distance", "off by", ".3f"},
+               {"optimality_gap", "optimality gap", ".3g"},
+               {"solves", "solves it", "mark"}}};
   for (const std::size_t q : group.problems) {
     const Problem& problem = comparison.campaign->problems()[q];
     for (const Formulation& formulation : problem.formulations(comparison.part->smoothings)) {
       if (formulation.smoothing == 0 || formulation.penalised) continue;
       const auto found = ceiling(problem, formulation.smoothing);
       if (!found) continue;
-      rows.push_back(
-          {{"family", group.family},
-           {"problem", problem.name},
-           {"smoothing", formulation.smoothing},
-           {"optimum", found->optimum},
-           {"best", (*problem.best_point)[0]},
-           {"distance", found->distance},
-           {"optimality_gap", found->optimality_gap},
-           {"solves", found->optimality_gap && *found->optimality_gap <= problem.tolerance}});
+      table.add(problem.name, formulation.smoothing, found->optimum, (*problem.best_point)[0],
+                found->distance, found->optimality_gap,
+                found->optimality_gap && *found->optimality_gap <= problem.tolerance);
     }
   }
-}
-
-}  // namespace
-
-Json formulation_data(const Comparison& comparison, const std::vector<Group>& groups) {
-  Json rows = Json::array();
-  for (const Group& group : groups) {
-    for (const auto& [solver, formulations] : shares_by_formulation(comparison, group)) {
-      if (formulations.size() < 2) continue;
-      for (const auto& [formulation, share] : formulations) {
-        Json row = {{"family", group.family},
-                    {"solver", solver},
-                    {"formulation", formulation},
-                    {"runs", share.trials}};
-        row.update(share_data(share));
-        rows.push_back(std::move(row));
-      }
-    }
-  }
-  return rows;
-}
-
-Json ceiling_data(const Comparison& comparison, const std::vector<Group>& groups) {
-  Json rows = Json::array();
-  for (const Group& group : groups) add_ceilings(rows, comparison, group);
-  return rows;
-}
-
-Json share_data(const Share& share) {
-  const Interval interval = wilson_interval(share.successes, share.trials);
-  return {{"share", share.successes / static_cast<double>(share.trials)},
-          {"lower", interval.lower},
-          {"upper", interval.upper}};
+  return table;
 }
 
 std::map<std::string, std::map<std::string, Share>> shares_by_formulation(
@@ -266,7 +267,7 @@ void add_runs(Share& share, const CellResult& result) {
   }
 }
 
-Json variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems) {
+std::string variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems) {
   Eigen::Index least = campaign.problems()[problems.front()].dimension();
   Eigen::Index most = least;
   for (const std::size_t q : problems) {
@@ -274,65 +275,93 @@ Json variables_of(const Campaign& campaign, const std::vector<std::size_t>& prob
     least = std::min(least, n);
     most = std::max(most, n);
   }
-  return {
-      {"variables", least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)},
-      {"several", most > 1}};
+  return least == most ? fmt::format("{} variable{}", least, most > 1 ? "s" : "")
+                       : fmt::format("{} to {} variables", least, most);
 }
 
 namespace {
 
-/// The share of a problem's runs, over all entries, that did not solve it.
-double difficulty_of(const Comparison& comparison, std::size_t problem) {
-  Share solved{};
-  for (const CellResult& result : comparison.results) {
-    if (result.cell->problem == problem) add_runs(solved, result);
+constexpr double solving_share = 0.5;  // of the runs
+constexpr double significant_split = 0.05;
+constexpr std::size_t fewest = 3;  // entries with a property, and without
+
+struct Solved {
+  const Solver* solver;
+  std::string formulation;
+  double share;
+};
+
+struct Property {
+  std::string name;
+  std::function<bool(const Solved&)> holds;
+};
+
+std::vector<Property> properties_of(const std::vector<Solved>& entries) {
+  std::vector<Property> properties = {
+      {"gradients",
+       [](const Solved& entry) {
+         return entry.solver->capabilities.derivatives != Capabilities::Order::value;
+       }},
+      {"stochastic", [](const Solved& entry) { return entry.solver->stochastic; }}};
+  std::set<std::string> formulations;
+  for (const Solved& entry : entries) formulations.insert(entry.formulation);
+  for (const std::string& formulation : formulations) {
+    properties.push_back({"formulation " + formulation, [formulation](const Solved& entry) {
+                            return entry.formulation == formulation;
+                          }});
   }
-  return 1 - static_cast<double>(solved.successes) / solved.trials;
+  return properties;
 }
 
-Json family_row(const Comparison& comparison, const Group& group, std::size_t number) {
-  std::vector<double> difficulties;
-  for (const std::size_t problem : group.problems) {
-    difficulties.push_back(difficulty_of(comparison, problem));
+double mean(const std::vector<double>& shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+}
+
+struct Split {
+  std::string name;
+  std::vector<double> those, others;  ///< success rates with and without the property
+};
+
+std::vector<Split> splits_of(const std::vector<Solved>& entries) {
+  std::vector<Split> splits;
+  for (const Property& property : properties_of(entries)) {
+    Split split{property.name, {}, {}};
+    for (const Solved& entry : entries) {
+      (property.holds(entry) ? split.those : split.others).push_back(entry.share);
+    }
+    if (std::min(split.those.size(), split.others.size()) >= fewest) splits.push_back(split);
   }
-  std::vector<std::size_t> drawn;
-  Json problems = Json::array();
-  for (const std::size_t k :
-       stratified_sample(difficulties, number, seed_of("sample", group.family, 0, 0))) {
-    drawn.push_back(group.problems[k]);
-    problems.push_back({{"problem", comparison.campaign->problems()[group.problems[k]].name},
-                        {"difficulty", difficulties[k]}});
-  }
-  const std::size_t budget = comparison.part->budgets.size() - 1;
-  const std::vector<Rating> ratings = rate(comparison, group.problems, budget);
-  const Order whole = order_of(ratings);
-  const Rating* leader = leader_of(ratings);
-  const Order sample = order_of(rate(comparison, drawn, budget));
-  return {{"family", group.family},
-          {"of", group.problems.size()},
-          {"problems", std::move(problems)},
-          {"agreement", agreement_of(whole, sample)},
-          {"leader", whole.leader},
-          {"returned", leader != nullptr ? Json(leader->returned) : Json()},
-          {"best", leader != nullptr ? Json(leader->probability_of_being_best) : Json()},
-          {"sample_leader", sample.leader}};
+  return splits;
 }
 
 }  // namespace
 
-Json sample_data(const Campaign& campaign, const std::vector<CellResult>& results, double share,
-                 std::size_t least) {
-  Json rows = Json::array();
-  for (const ReportedPart& part : reported_parts(campaign)) {
-    const Comparison comparison = comparison_of(campaign, results, part.usual);
-    for (Group group : groups_of(comparison)) {
-      const auto part_of_all = std::llround(share * static_cast<double>(group.problems.size()));
-      group.family = part.families.at(group.family);
-      rows.push_back(
-          family_row(comparison, group, std::max(least, static_cast<std::size_t>(part_of_all))));
-    }
+Separation separation_of(const Comparison& comparison, std::size_t problem) {
+  std::vector<Solved> entries;
+  for (const CellResult& result : comparison.results) {
+    const Cell& cell = result.cell->cell;
+    if (result.cell->problem != problem || cell.budget != comparison.part->budgets.back()) continue;
+    Share solved{};
+    add_runs(solved, result);
+    entries.push_back({&comparison.campaign->solvers()[result.cell->solver], cell.formulation,
+                       static_cast<double>(solved.successes) / solved.trials});
   }
-  return rows;
+  Separation separation{entries.size(),
+                        static_cast<std::size_t>(std::ranges::count_if(
+                            entries, [](const Solved& one) { return one.share >= solving_share; })),
+                        {}};
+  const std::vector<Split> splits = splits_of(entries);
+  std::vector<double> p_values;
+  for (const Split& split : splits) {
+    p_values.push_back(rank_sum_test(split.those, split.others).p_value);
+  }
+  p_values = holm(p_values);
+  const auto least = std::ranges::min_element(p_values);
+  if (least == p_values.end() || *least >= significant_split) return separation;
+  const Split& split = splits[static_cast<std::size_t>(least - p_values.begin())];
+  separation.by = fmt::format("{}: {:.0f} %, without: {:.0f} %", split.name, 100 * mean(split.those),
+                              100 * mean(split.others));
+  return separation;
 }
 
 }  // namespace ricochet::studies::comparison

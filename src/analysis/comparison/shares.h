@@ -1,38 +1,50 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::comparison {
 
 using namespace ricochet::comparison;
 
-/// Returns the failure atlas: for each machine and perturbation, the share of runs that solved
-/// their problem, with Wilson's interval, the outcomes of the other runs, and a command that
-/// repeats one of them. Also returns the largest budget of each problem.
-report::Json atlas_data(const Campaign& campaign, const std::vector<CellResult>& results);
+/// Adds the failure atlas to a page: a table "atlas", for each machine and perturbation the share of
+/// runs that solved their problem, with Wilson's interval, the outcomes of the other runs, and a
+/// command that repeats one of them; and parts "outcomes", a map for each kind of outcome.
+void add_atlas(const Campaign& campaign, const std::vector<CellResult>& results,
+               report::Results& page);
 
-/// Returns the runs that failed with an error or were ended from outside: a row for each cell and
-/// kind of failure, with the command that repeats the first of them.
-report::Json failure_data(const ricochet::comparison::Comparison& comparison);
+/// The runs that failed with an error or were ended from outside: a row for each cell and kind of
+/// failure, with the command that repeats the first of them.
+Table failure_table(const std::vector<RatedPart>& parts);
 
 /// Effect of the formulation on a solver: for every solver that takes several formulations, the
-/// success rate in each with the largest budget, by family.
-report::Json formulation_data(const Comparison& comparison, const std::vector<Group>& groups);
+/// success rate in each with the largest budget.
+Table formulation_table(const Comparison& comparison, const Group& group);
 
 /// Surrogate bias: the distance from the optimum of the surrogate to the best point, for every
 /// smoothing parameter that is used. A solver that converges to the surrogate's optimum cannot come
 /// closer.
-report::Json ceiling_data(const Comparison& comparison, const std::vector<Group>& groups);
+Table ceiling_table(const Comparison& comparison, const Group& group);
 
-/// A share with Wilson's interval: share, lower, upper.
-report::Json share_data(const Share& share);
+/// What separates the entries that solve a problem from those that do not, with the largest budget.
+struct Separation {
+  std::size_t entries, solving;  ///< solving: in at least half of their runs
+  /// "gradients: 80 %, without: 20 %": the property of entries (a formulation, needing gradients,
+  /// being stochastic) of least p-value of the rank-sum test of the success rates with and without
+  /// it, if it is below 5 % after Holm's correction over the properties. Entries of one solver are
+  /// alike: the test takes them as independent.
+  std::optional<std::string> by;
+};
+Separation separation_of(const Comparison& comparison, std::size_t problem);
 
 /// Solved runs and all runs on the problems of a group with the largest budget: by solver, then by
 /// formulation.
@@ -42,17 +54,7 @@ std::map<std::string, std::map<std::string, Share>> shares_by_formulation(
 /// Adds the runs of a result, and those that solved the problem.
 void add_runs(Share& share, const CellResult& result);
 
-/// The number of variables of these problems: `variables`, such as "2 to 8", and `several`.
-report::Json variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems);
-
-/// A sample of the problems of a campaign whose runs are complete, drawn within each family from
-/// strata of difficulty: the share of its runs, over all entries, that did not solve a problem. A
-/// row for each family of each part: the problems drawn (a share of them, but at least `least`),
-/// their difficulties, and how far the order of the entries on them agrees with that on all
-/// problems: see agreement_of(), null where it cannot be said. `leader`, the first entry on all,
-/// with the share of its runs that solved and its P(best); `sample_leader`, the first on the
-/// sample.
-report::Json sample_data(const Campaign& campaign, const std::vector<CellResult>& results,
-                         double share, std::size_t least);
+/// "1 variable", "2 to 8 variables": of these problems.
+std::string variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems);
 
 }  // namespace ricochet::studies::comparison

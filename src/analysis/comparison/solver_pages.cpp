@@ -1,5 +1,7 @@
 #include "src/analysis/comparison/solver_pages.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -17,13 +19,11 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
-
 /// A page lists at most so many families in which its solver is behind.
 constexpr std::size_t shown_families = 3;
 
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
+std::optional<std::string> text_if_any(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 /// The most that any solver solved on a problem, in its best formulation for the family.
@@ -67,8 +67,8 @@ struct Failure {
   int behind = 0;
 };
 
-/// A row for each family with a problem on which another solver solved more, the worst first.
-Json failed_rows(const Campaign& campaign, const std::vector<Attempt>& attempts) {
+/// The families with a problem on which another solver solved more, the worst first.
+Table failed_table(const Campaign& campaign, const std::vector<Attempt>& attempts) {
   std::map<const EntrySet*, Failure> by_family;
   for (const Attempt& attempt : attempts) {
     if (attempt.behind() <= 0) continue;
@@ -83,91 +83,91 @@ Json failed_rows(const Campaign& campaign, const std::vector<Attempt>& attempts)
            std::pair(a.worst.behind(), b.worst.set->family);
   });
   order.resize(std::min(order.size(), shown_families));
-  return report::list_of(order, [&](const Failure& failure) -> Json {
+  Table table{"failed",
+              {{"family"},
+               {"behind", "behind on"},
+               {"of"},
+               {"problem", "worst problem"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"best", "best solver"},
+               {"best_share", "its success rate [%]", ".0%", 3}}};
+  for (const Failure& failure : order) {
     const Attempt& worst = failure.worst;
-    return {{"family", worst.set->family},
-            {"behind", failure.behind},
-            {"of", worst.entry->results.size()},
-            {"problem", campaign.problems()[worst.result->cell->problem].name},
-            {"share", worst.own.share},
-            {"best", worst.best->solver},
-            {"best_share", worst.best->share}};
-  });
+    table.add(worst.set->family, failure.behind, worst.entry->results.size(),
+              campaign.problems()[worst.result->cell->problem].name, worst.own.share,
+              worst.best->solver, worst.best->share);
+  }
+  return table;
 }
 
-/// ERT for each variable of the problems that at least one run solved: their number, and the
-/// geometric mean, null if there is none.
-Json running_time_of(const Campaign& campaign, const Entry& entry) {
+/// ERT for each variable of the problems that at least one run solved.
+std::vector<double> running_times_of(const Campaign& campaign, const Entry& entry) {
   std::vector<double> times;
   for (const CellResult* result : entry.results) {
     const auto time = result_of(result->outcomes).returned_running_time;
     const auto n = static_cast<double>(campaign.problems()[result->cell->problem].dimension());
     if (time) times.push_back(time->value / n);
   }
-  return {{"solved", times.size()},
-          {"running_time", times.empty() ? Json() : Json(mean_cost(times))}};
+  return times;
 }
 
-const Json nobody_ahead = {{"ahead", nullptr}, {"ahead_share", nullptr}};
-
-/// The entry that dominates the row, with its share: of those at most as dear and at least as
-/// accurate, the most accurate; null if there is none.
-Json ahead_of(const Json& row, const Json& speed_accuracy) {
-  const Json* first = nullptr;
-  for (const Json& other : speed_accuracy) {
-    const bool rival = other["on_front"].get<bool>() && other["family"] == row["family"] &&
+/// The entry that dominates the row: of those at most as dear and at least as accurate, the most
+/// accurate; nothing if there is none.
+std::optional<Row> ahead_of(const Row& row, const Table& speed_accuracy) {
+  std::optional<Row> first;
+  each_row(speed_accuracy, [&](const Row& other) {
+    const bool rival = other.is("on_front") && other["family"] == row["family"] &&
                        other["part"] == row["part"] && other["budget"] == row["budget"] &&
                        other["solver"] != row["solver"] &&
-                       other["evaluations"].get<double>() <= row["evaluations"].get<double>() &&
-                       other["share"].get<double>() >= row["share"].get<double>();
-    if (rival && (first == nullptr || other["share"] > (*first)["share"])) first = &other;
-  }
-  if (first == nullptr) return nobody_ahead;
-  return {{"ahead", (*first)["solver"]}, {"ahead_share", (*first)["share"]}};
-}
-
-/// How the row stands to its family's Pareto front; empty if it is not on it.
-std::string front_text(const Json& row) {
-  if (!row["complete"].get<bool>()) return "not compared";
-  const bool by_time = row["on_time_front"].get<bool>();
-  if (row["on_front"].get<bool>()) return by_time ? "on the front, also by time" : "on the front";
-  return by_time ? "on the front by time" : "";
-}
-
-Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& entry,
-                const Json& speed_accuracy) {
-  const auto row = std::ranges::find_if(speed_accuracy, [&](const Json& other) {
-    return other["solver"] == entry.solver && other["family"] == set.family &&
-           other["part"] == set.part + 1 && other["budget"] == set.budget;
+                       other.number("evaluations") <= row.number("evaluations") &&
+                       other.number("share") >= row.number("share");
+    if (rival && (!first || other.number("share") > first->number("share"))) first = other;
   });
-  Json mine = {{"family", set.family},
-               {"formulation", entry.formulation},
-               {"problems", entry.results.size()},
-               {"of", set.problems.size()}};
-  for (const char* key : {"share", "share_lower", "share_upper"}) mine[key] = row->at(key);
-  mine.update(running_time_of(campaign, entry));
-  const std::string front = front_text(*row);
-  mine["front"] = text_or_null(front);
-  mine.update(front.empty() ? ahead_of(*row, speed_accuracy) : nobody_ahead);
-  return mine;
+  return first;
 }
 
-/// How the solver did on the families that are joined; null if it does not take all of them.
-Json joint_row(const std::string& solver, const Json& speed_accuracy) {
-  for (const Json& row : speed_accuracy) {
-    if (row["family"] != "all" || row["solver"] != solver) continue;
-    Json joint = {{"share", row["share"]},
-                  {"evaluations", row["evaluations"]},
-                  {"problems", row["problems"]},
-                  {"on_front", row["on_front"]}};
-    joint.update(ahead_of(row, speed_accuracy));
-    return joint;
-  }
-  return {};
+/// How the row stands to its family's Pareto front: on it, or who is ahead.
+std::string standing_of(const Row& row, const Table& speed_accuracy) {
+  if (!row.is("complete")) return "not compared";
+  const bool by_time = row.is("on_time_front");
+  if (row.is("on_front")) return by_time ? "on the front, also by time" : "on the front";
+  if (by_time) return "on the front by time";
+  const auto ahead = ahead_of(row, speed_accuracy);
+  return ahead ? fmt::format("{} {:.0f} %", ahead->text("solver"), 100 * ahead->number("share")) : "";
+}
+
+void add_family_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& entry,
+                    const Table& speed_accuracy) {
+  const auto row = speed_accuracy.find([&](const Row& other) {
+    return other["solver"] == value_of(entry.solver) && other["family"] == value_of(set.family) &&
+           other["part"] == value_of(set.part + 1) && other["budget"] == value_of(set.budget);
+  });
+  const std::vector<double> times = running_times_of(campaign, entry);
+  table.add(set.family, entry.formulation, entry.results.size(), set.problems.size(),
+            (*row)["share"], (*row)["lower"], (*row)["upper"], times.size(),
+            times.empty() ? Value() : value_of(mean_cost(times)),
+            standing_of(*row, speed_accuracy));
+}
+
+/// How the solver did on the families that are joined; nothing if it does not take all of them.
+std::optional<std::string> joint_sentence(const std::string& solver, const Table& speed_accuracy) {
+  const auto row = speed_accuracy.find([&](const Row& other) {
+    return other.text("family") == "all" && other.text("solver") == solver;
+  });
+  if (!row) return {};
+  const auto ahead = ahead_of(*row, speed_accuracy);
+  return fmt::format(
+      "The families that most solvers take, together ({} problems): success rate {:.0f} %, with "
+      "{:.3g} evaluations a variable{}{}.",
+      row->number("problems"), 100 * row->number("share"), row->number("evaluations"),
+      row->is("on_front") ? "; on the Pareto front" : "",
+      ahead ? fmt::format("; {} is cheaper and solves {:.0f} %", ahead->text("solver"),
+                          100 * ahead->number("share"))
+            : "");
 }
 
 /// The termination reasons of all starts by solver, the most frequent first.
-std::map<std::string, Json> terminations_of(const std::vector<CellResult>& results) {
+std::map<std::string, Table> terminations_of(const std::vector<CellResult>& results) {
   std::map<std::string, std::map<std::string, int>> times;
   for (const CellResult& result : results) {
     auto& mine = times[result.cell->cell.solver];
@@ -176,52 +176,58 @@ std::map<std::string, Json> terminations_of(const std::vector<CellResult>& resul
       if (!outcome.failure.empty()) ++mine["failed: " + outcome.failure];
     }
   }
-  std::map<std::string, Json> all;
+  std::map<std::string, Table> all;
   for (const auto& [solver, reasons] : times) {
     double sum = 0;
-    std::vector<std::pair<int, std::string>> order;
-    for (const auto& [reason, count] : reasons) {
-      order.emplace_back(-count, reason);
-      sum += count;
-    }
-    std::ranges::sort(order);
-    Json& rows = all[solver] = Json::array();
-    for (const auto& [less, reason] : order) {
-      rows.push_back({{"reason", reason}, {"times", -less}, {"share", -less / sum}});
-    }
+    for (const auto& [reason, count] : reasons) sum += count;
+    Table table{"terminations",
+                {{"reason"}, {"times", "starts"}, {"share", "share [%]", ".1%", 3}}};
+    for (const auto& [reason, count] : reasons) table.add(reason, count, count / sum);
+    all[solver] = sorted(std::move(table), {"-times"});
   }
   return all;
 }
 
-Json settings_data(const std::string& solver) {
+/// The families on whose Pareto front of evaluations and accuracy a solver is.
+std::string fronts_of(const std::string& solver, const Table& speed_accuracy) {
+  std::vector<std::string> names;
+  each_row(speed_accuracy, [&](const Row& row) {
+    const bool joint = is_missing(row["budget"]);
+    if (row.text("solver") == solver && row.is("largest") && !joint && row.is("on_front"))
+      names.push_back(row.text("family"));
+  });
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::optional<std::string> settings_sentence(const std::string& solver) {
   const auto settings = settings_of(solver);
   if (!settings) return {};
-  return {{"settings", settings->settings},
-          {"from", text_or_null(settings->from)},
-          {"note", text_or_null(settings->note)}};
+  return fmt::format("{}.{}{}", settings->settings,
+                     settings->from.empty() ? "" : " From: " + settings->from + ".",
+                     settings->note.empty() ? "" : " Note: " + settings->note + ".");
 }
 
-/// The families on whose Pareto front of evaluations and accuracy a solver is.
-Json fronts_of(const std::string& solver, const Json& speed_accuracy) {
-  Json names = Json::array();
-  for (const Json& row : speed_accuracy) {
-    const bool joint = row["budget"].is_null();
-    const bool mine = row["solver"] == solver && row["largest"].get<bool>() && !joint;
-    if (mine && row["on_front"].get<bool>()) names.push_back(row["family"]);
-  }
-  return names;
-}
-
-/// The page of one solver.
-Json page_of(const Campaign& campaign, const Solver& solver, const std::vector<EntrySet>& sets,
-             const Json& speed_accuracy, const BestOn& best) {
-  Json families = Json::array();
+/// The part of one solver on the page, and its row in the table of all.
+void add_solver(report::Results& page, Table& all, const Campaign& campaign, const Solver& solver,
+                const std::vector<EntrySet>& sets, const Table& speed_accuracy, const BestOn& best,
+                Table terminations) {
+  Table families{"families",
+                 {{"family"},
+                  {"formulation"},
+                  {"takes"},
+                  {"problems"},
+                  {"share", "success rate [%]", ".0%", 3},
+                  {"lower", "", ".0%", 3},
+                  {"upper", "", ".0%", 3},
+                  {"solved"},
+                  {"running_time", "ERT [evaluations a variable]", ".3g", 3},
+                  {"front", "Pareto front, or who is ahead"}}};
   std::vector<Attempt> attempts;
   for (const EntrySet& set : sets) {
     if (!set.largest) continue;
     each_entry(set, [&](const Entry& entry) {
       if (entry.solver != solver.name) return;
-      families.push_back(family_row(campaign, set, entry, speed_accuracy));
+      add_family_row(families, campaign, set, entry, speed_accuracy);
       for (const CellResult* result : entry.results) {
         attempts.push_back({&set, &entry, result, on_problem(campaign, *result),
                             &best.at({&set, result->cell->problem})});
@@ -230,65 +236,70 @@ Json page_of(const Campaign& campaign, const Solver& solver, const std::vector<E
   }
   const auto solved =
       std::ranges::count_if(attempts, [](const Attempt& a) { return a.own.share > 0; });
-  const auto unsolved_by_all =
+  const auto solved_by_none =
       std::ranges::count_if(attempts, [](const Attempt& a) { return a.best->share == 0; });
-  return {{"report", "comparison_solver"},
-          {"solver", solver.name},
-          {"joint", joint_row(solver.name, speed_accuracy)},
-          {"version", solver.version},
-          {"note", text_or_null(library_note(solver.version))},
-          {"settings", settings_data(solver.name)},
-          {"fronts", fronts_of(solver.name, speed_accuracy)},
-          {"problems", attempts.size()},
-          {"solved", solved},
-          {"unsolved", static_cast<std::size_t>(solved) < attempts.size()},
-          {"unsolved_by_all", unsolved_by_all},
-          {"families", std::move(families)},
-          {"failed", failed_rows(campaign, attempts)}};
+  const std::string fronts = fronts_of(solver.name, speed_accuracy);
+  all.add(solver.name, kind_of(solver.name), solver.version, families.rows.size(), solved,
+          attempts.size(), fronts);
+  report::Part part{solver.name, solver.name, {}};
+  part.results.set("solver", solver.name);
+  part.results.set("version", solver.version);
+  part.results.set("note", text_if_any(library_note(solver.version)));
+  part.results.set("settings", settings_sentence(solver.name));
+  part.results.set("joint", joint_sentence(solver.name, speed_accuracy));
+  part.results.set(
+      "summary",
+      fmt::format("It solved {} of the {} problems that it takes, each in at least one run{}. {}.",
+                  solved, attempts.size(),
+                  static_cast<std::size_t>(solved) < attempts.size()
+                      ? fmt::format("; {} of the others no solver did", solved_by_none)
+                      : "",
+                  fronts.empty() ? "It is on no family's Pareto front of speed and accuracy"
+                                 : "It is on the Pareto front of speed and accuracy of " + fronts));
+  part.results.add(std::move(families));
+  part.results.add(failed_table(campaign, attempts));
+  part.results.add(std::move(terminations));
+  page.add("solvers", std::move(part));
 }
 
 }  // namespace
 
-Json library_notes(const std::vector<Solver>& solvers) {
-  std::map<std::string, Json> by_version;
+Table library_notes(const std::vector<Solver>& solvers) {
+  std::map<std::string, std::vector<std::string>> by_version;
   for (const Solver& solver : solvers) {
-    if (library_note(solver.version).empty()) continue;
-    by_version.try_emplace(solver.version, Json::array()).first->second.push_back(solver.name);
+    if (!library_note(solver.version).empty()) by_version[solver.version].push_back(solver.name);
   }
-  Json rows = Json::array();
-  for (auto& [version, names] : by_version) {
-    rows.push_back(
-        {{"version", version}, {"note", library_note(version)}, {"solvers", std::move(names)}});
+  Table table{"notes", {{"version"}, {"note"}, {"solvers"}}};
+  for (const auto& [version, names] : by_version) {
+    table.add(version, library_note(version), fmt::format("{}", fmt::join(names, ", ")));
   }
-  return rows;
+  return table;
 }
 
-Json solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
-                  const std::vector<EntrySet>& sets, const Json& speed_accuracy) {
+report::Results solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
+                             const std::vector<EntrySet>& sets, const Table& speed_accuracy) {
   const BestOn best = best_on(campaign, sets);
-  std::map<std::string, Json> terminations = terminations_of(results);
+  std::map<std::string, Table> terminations = terminations_of(results);
   std::vector<const Solver*> solvers;
   for (const Solver& solver : campaign.solvers()) solvers.push_back(&solver);
   std::ranges::sort(solvers, {}, &Solver::name);
-  Json rows = Json::array();
-  Json pages = Json::array();
+  report::Results page;
+  Table all{"solvers",
+            {{"solver"},
+             {"kind"},
+             {"version"},
+             {"families"},
+             {"solved"},
+             {"problems"},
+             {"fronts", "on the Pareto front of"}}};
   for (const Solver* solver : solvers) {
-    Json page = page_of(campaign, *solver, sets, speed_accuracy, best);
-    page["terminations"] = terminations.contains(solver->name)
-                               ? std::move(terminations.at(solver->name))
-                               : Json::array();
-    rows.push_back({{"solver", solver->name},
-                    {"version", solver->version},
-                    {"families", page["families"].size()},
-                    {"problems", page["problems"]},
-                    {"solved", page["solved"]},
-                    {"fronts", page["fronts"]}});
-    pages.push_back({{"folder", solver->name}, {"data", std::move(page)}});
+    Table ends = terminations.contains(solver->name) ? std::move(terminations.at(solver->name))
+                                                     : Table{"terminations"};
+    add_solver(page, all, campaign, *solver, sets, speed_accuracy, best, std::move(ends));
   }
-  return {{"report", "comparison_solvers"},
-          {"library_notes", library_notes(campaign.solvers())},
-          {"solvers", std::move(rows)},
-          {"pages", std::move(pages)}};
+  page.add(std::move(all));
+  page.add(library_notes(campaign.solvers()));
+  return page;
 }
 
 namespace {

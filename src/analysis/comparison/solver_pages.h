@@ -6,22 +6,21 @@
 
 #include "ricochet/solver.h"
 #include "src/analysis/comparison/reported_part.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 namespace ricochet::studies::comparison {
 
-/// A row of version, note and names for each library of these solvers of which a reader must know
-/// something; see library_note.
-report::Json library_notes(const std::vector<Solver>& solvers);
+/// Table "notes": version, note and solvers of each library of these solvers of which a reader must
+/// know something; see library_note().
+Table library_notes(const std::vector<Solver>& solvers);
 
-/// Returns the data of the page of all solvers, by name: families and problems that each takes,
+/// The page of all solvers: table "solvers", by name, with the families and problems that each takes,
 /// solved (number of these problems that it solved in at least one run, by the returned point),
-/// fronts (the families on whose Pareto front of speed and accuracy it is). Under `pages` is a page
-/// for each. `speed_accuracy` are the rows of speed_accuracy_data(). All is of the largest budgets
-/// and the solver's best formulation for a family, except for the termination reasons, which are
-/// of all runs.
-report::Json solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
-                          const std::vector<EntrySet>& sets, const report::Json& speed_accuracy);
+/// fronts (the families on whose Pareto front of speed and accuracy it is); and parts "solvers", one
+/// for each. `speed_accuracy` is speed_accuracy_table(). All is of the largest budgets and the
+/// solver's best formulation for a family, except for the termination reasons, which are of all runs.
+report::Results solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
+                             const std::vector<EntrySet>& sets, const Table& speed_accuracy);
 
 /// How a solver of the suite is set, in words.
 struct SolverSettings {
@@ -30,7 +29,7 @@ struct SolverSettings {
   std::string note;  ///< may be empty
 };
 
-/// Nothing for a solver that reports/templates/solvers.toml does not have, such as a user's.
+/// Nothing for a solver that solvers.toml does not have, such as a user's.
 std::optional<SolverSettings> settings_of(const std::string& solver);
 
 /// The solver that is the paper's algorithm.

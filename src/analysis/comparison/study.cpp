@@ -1,17 +1,17 @@
 #include "src/analysis/comparison/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "ricochet/solver.h"
+#include "src/analysis/comparison/family.h"
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/order.h"
-#include "src/analysis/comparison/pairs.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
@@ -22,279 +22,240 @@
 #include "src/experiment/archived_campaign.h"
 #include "src/experiment/merge.h"
 
-namespace ricochet::studies {
+namespace ricochet::studies::comparison {
 
 namespace {
 
-using namespace comparison;
+using report::Chart;
 using report::Json;
+using report::Results;
 
-/// The results of one part: lists.
-Json results_of(const Campaign& campaign, const std::vector<CellResult>& results,
-                const ReportedPart& part) {
-  const Comparison comparison = comparison_of(campaign, results, part.usual);
-  const std::vector<std::size_t> problems = comparison.problems();
-  const PlanPart& asked = *comparison.part;
-  std::vector<Group> groups = groups_of(comparison);
-  std::erase_if(groups,
-                [&](const Group& group) { return part.asked_again.contains(group.family); });
-  for (Group& group : groups) group.family = part.families.at(group.family);
-  const Ratings ratings = ratings_of(comparison, groups);
-  Json group_rows = group_data(comparison, groups, ratings);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (std::size_t k = 0; k < groups[g].problems.size(); ++k) {
-      group_rows[g]["problems"][k].update(separation_data(comparison, groups[g].problems[k]));
-    }
+/// The plan, part by part.
+Table plan_table(const Campaign& campaign, const std::vector<RatedPart>& parts) {
+  Table table{"plan",
+              {{"part"},
+               {"problems"},
+               {"variables"},
+               {"budgets", "evaluations a variable"},
+               {"instances"},
+               {"results", "combinations of problem, entry and setting"}}};
+  for (const RatedPart& rated : parts) {
+    const std::vector<std::size_t> problems = rated.comparison.problems();
+    const PlanPart& asked = *rated.comparison.part;
+    if (problems.empty()) continue;
+    table.add(name_of_part(asked, rated.part->part), problems.size(),
+              variables_of(campaign, problems), fmt::format("{}", fmt::join(asked.budgets, ", ")),
+              asked.instances, rated.comparison.results.size());
   }
-  Json plan = variables_of(campaign, problems);
-  plan.update({{"problems", problems.size()},
-               {"least", asked.budgets.front()},
-               {"most", asked.budgets.back()},
-               {"two_budgets", asked.budgets.size() > 1},
-               {"instances", asked.instances},
-               {"results", comparison.results.size()}});
-  return {{"plans", Json::array({plan})},
-          {"leaders", leader_data(comparison, groups, group_rows)},
-          {"groups", group_rows},
-          {"formulations", formulation_data(comparison, groups)},
-          {"ceilings", ceiling_data(comparison, groups)},
-          {"orders", order_data(comparison, results, part, groups, ratings)},
-          {"held_out", held_out_data(comparison, groups)},
-          {"failures", failure_data(comparison)}};
+  return table;
 }
 
-/// Adds to the problems of the groups the hashes that the store has of them.
-void add_hashes(const std::vector<StoredProblem>& problems, Json& groups) {
-  std::map<std::string, std::string> hashes;
-  for (const StoredProblem& problem : problems) hashes[problem.name] = problem.hash;
-  for (Json& group : groups) {
-    for (Json& row : group["problems"]) row["hash"] = hashes.at(row["problem"]);
+/// The share of runs that each solver solved in each family with the largest budget, in its best
+/// formulation: a column for each family, missing where it takes none of its problems; sorted by
+/// the number of families taken, then by the sum of the shares.
+Table solver_map(const Table& speed_accuracy, const Table& leaders) {
+  Table table{"map", {{"solver"}}};
+  each_row(where(leaders, "largest", true), [&](const Row& row) {
+    table.columns.push_back({row.text("family"), "", ".0%", 3});
+  });
+  const Table largest = where(speed_accuracy, [](const Row& row) {
+    return !is_missing(row["budget"]) && row.is("largest");
+  });
+  std::map<std::string, std::vector<Value>> rows;
+  each_row(largest, [&](const Row& row) {
+    if (!table.has(row.text("family"))) return;
+    auto& mine = rows[row.text("solver")];
+    mine.resize(table.columns.size());
+    mine[0] = row.text("solver");
+    mine[table.index_of(row.text("family"))] = row["share"];
+  });
+  struct Ordered {
+    std::size_t taken = 0;
+    double sum = 0;
+    std::vector<Value> row;
+  };
+  std::vector<Ordered> order;
+  for (auto& [solver, row] : rows) {
+    Ordered& one = order.emplace_back();
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      one.taken += is_missing(row[k]) ? 0 : 1;
+      one.sum += number_in(row[k]).value_or(0);
+    }
+    one.row = std::move(row);
   }
+  std::ranges::stable_sort(order, std::greater(),
+                           [](const Ordered& one) { return std::pair(one.taken, one.sum); });
+  for (Ordered& one : order) table.add_row(std::move(one.row));
+  return table;
 }
 
-/// Adds to the groups what is to be known of the libraries of their entries.
-void add_notes(const std::vector<Solver>& solvers, Json& groups) {
-  for (Json& group : groups) {
-    std::vector<Solver> mine;
-    for (const Solver& solver : solvers) {
-      const bool rated = std::ranges::any_of(
-          group["ratings"], [&](const Json& rating) { return rating["solver"] == solver.name; });
-      if (rated) mine.push_back(solver);
-    }
-    group["library_notes"] = library_notes(mine);
+Chart map_chart(const Table& map) {
+  Chart chart{.name = "map",
+              .x = {"family"},
+              .y = {""},
+              .heat_map = report::HeatMap{"success rate [%]", {}, report::Range{0, 100}},
+              .width = 900};
+  for (std::size_t k = 1; k < map.columns.size(); ++k) {
+    chart.x.categories.push_back(map.columns[k].name);
+    chart.heat_map->column_links.push_back("&family=" + map.columns[k].name);
   }
+  std::size_t half = 0;  // solvers that solve half of the runs of some family
+  for (std::size_t i = map.rows.size(); i-- > 0;) {  // from the bottom
+    const std::string solver = map[i].text("solver");
+    chart.y.categories.push_back(solver);
+    chart.heat_map->row_links.push_back("view#entry=" + solver);
+    auto& cells = chart.heat_map->rows.emplace_back();
+    double most = 0;
+    for (std::size_t k = 1; k < map.columns.size(); ++k) {
+      const auto share = number_in(map.rows[i][k]);
+      cells.push_back(share ? std::optional(100 * *share) : std::nullopt);
+      most = std::max(most, share.value_or(0));
+    }
+    half += most >= 0.5 ? 1 : 0;
+  }
+  chart.title = fmt::format("{} of {} solvers solve half of the runs of some family or more", half,
+                            map.rows.size());
+  chart.height = 150 + 16 * static_cast<int>(map.rows.size());
+  chart.description = "Heat map of the success rate over family and solver.";
+  return chart;
+}
+
+/// The families that differ in restitution, friction, disturbance or fidelity, a part for each; none
+/// if the plan has no grid of machines.
+Results across_page(const Campaign& campaign, const std::vector<CellResult>& results,
+                    const std::vector<ReportedPart>& parts) {
+  Results page;
+  for (const ReportedPart& reported : parts) {
+    if (campaign.plan().parts[reported.part].machines.around.empty()) continue;
+    for (const auto& [family, entries] : machine_results(campaign, results, reported)) {
+      if (factors_of(entries).empty()) continue;
+      report::Part part{family, family, {}};
+      part.results.set("family", family);
+      add_effects(family, entries, part.results);
+      add_machine_maps(family, entries, part.results);
+      if (part.results.value("finding") == nullptr) part.results.set("finding", Value());
+      page.add("families", std::move(part));
+    }
+  }
+  return page;
+}
+
+/// Speed against accuracy of all families together, or of each if none are joined.
+void add_fronts(const Table& speed_accuracy, Results& page) {
+  const Table joint = where(speed_accuracy, "family", std::string("all"));
+  page.set("fronts", joint.rows.empty() ? Value() : value_of(front_sentence(joint)));
+  if (!joint.rows.empty()) {
+    page.add(speed_accuracy_chart(joint, false));
+    page.add(speed_accuracy_chart(joint, true));
+  }
+  // An entry that solves nothing is not worth a row, though none may be cheaper.
+  Table front = where(speed_accuracy, [](const Row& row) {
+    return row.is("largest") && row.number("share") > 0 &&
+           (row.is("on_front") || row.is("on_time_front"));
+  });
+  front.name = "pareto-front";
+  page.add(std::move(front));
+}
+
+std::optional<std::string> lacking_sentence(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const MissingSolver& one : lacking(campaign.plan(), missing_solvers())) {
+    names.push_back(fmt::format("{} ({})", one.solver, one.library));
+  }
+  if (names.empty()) return {};
+  return fmt::format(
+      "This build lacks solvers of the suite that the plan asks for: {}. On a family where one of "
+      "them is best, another is named first.",
+      fmt::join(names, ", "));
+}
+
+Json page_json(const char* kind, const Results& results) {
+  Json json = {{"report", kind}};
+  json.update(json_of(results));
+  return json;
 }
 
 Json compute(const Campaign& campaign, const Store& store) {
   Digest digest(store.description());
   const std::vector<CellResult> results =
       cell_results(campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
-  const std::vector<ReportedPart> parts = reported_parts(campaign);
-  Json data;
-  for (const char* key : {"plans", "leaders", "groups", "formulations", "ceilings", "orders",
-                          "held_out", "failures"}) {
-    data[key] = Json::array();
+  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  const std::vector<RatedPart> parts = rated_parts(campaign, results, reported);
+  const std::vector<EntrySet> sets = entry_sets_of(campaign, results, reported);
+  const Table speed_accuracy = speed_accuracy_table(campaign, sets);
+  const Table leaders = leader_table(parts);
+  std::map<std::string, std::string> hashes;
+  for (const StoredProblem& problem : store.description().problems) {
+    hashes[problem.name] = problem.hash;
   }
-  for (const ReportedPart& part : parts) {
-    Json of_part = results_of(campaign, results, part);
-    for (auto& [key, rows] : of_part.items()) {
-      for (Json& row : rows) data[key].push_back(std::move(row));
-    }
+
+  const std::string name = campaign.plan().name;
+  const bool compared = name.starts_with("compare");  // by the command `compare`
+  Results page;
+  std::string finding = foreign_runs_of(store.description());
+  if (!finding.empty()) finding += ' ';
+  const Table beaten = beaten_table(campaign, results);
+  if (!beaten.rows.empty()) finding += "An error: best known values of some problems were beaten. ";
+  page.set("finding", finding + opening_of(leaders));
+  page.set("campaign", name);
+  page.set("made_by", compared ? Value() : value_of("./ricochet run " + name));
+  page.set("runs", campaign.runs());  // cell_results() throws where runs are missing
+  page.set("problems", campaign.problems().size());
+  page.set("solvers", campaign.solvers().size());
+  page.set("digest", digest.text());
+  page.set("suite", suite_version);
+  page.set("lacking", lacking_sentence(campaign));
+  page.add(Table(leaders));
+  page.add(unsolved_table(parts));
+  add_fronts(speed_accuracy, page);
+  const Table map = solver_map(speed_accuracy, leaders);
+  if (map.rows.size() > 1) page.add(map_chart(map));
+  page.add(Table(map));
+  page.add(order_table(results, parts));
+  page.add(held_out_table(parts));
+  page.add(change_table(campaign, results, reported));
+  add_own_solvers(campaign, sets, all_solvers(), page);
+  add_relocated_optima(campaign, results, page);
+  page.add(failure_table(parts));
+  page.add(Table(beaten));
+  page.add(plan_table(campaign, parts));
+  page.add(library_notes(campaign.solvers()));
+  page.add(Table(speed_accuracy));
+
+  Json data = json_of(page);
+  Json& pages = data["pages"] = Json::array();
+  const auto add = [&](const std::string& folder, const char* kind, const Results& of) {
+    pages.push_back({{"folder", folder}, {"data", page_json(kind, of)}});
+  };
+  for (const FamilyPage& family :
+       family_pages(campaign, parts, sets, leaders, speed_accuracy, hashes)) {
+    add(family.folder, "comparison_family", family.results);
   }
-  data.update(relocated_optimum_data(campaign, results));
-  const std::vector<EntrySet> sets = entry_sets_of(campaign, results, parts);
-  data.update(speed_accuracy_data(campaign, sets));
-  data["profile_families"] = profile_data(campaign, sets);
-  data["pair_families"] = pair_data(campaign, sets);
-  data["log_ratio_families"] = log_ratio_data(campaign, sets);
-  data["break_even_families"] = break_even_data(campaign, sets);
-  data.update(perturbation_data(campaign, results));
-  data.update(factor_data(campaign, results, parts));
-  data.update(machine_data(campaign, results, parts));
-  data.update(own_solver_data(campaign, sets, all_solvers()));
-  data["beaten"] = beaten_data(campaign, results);
-  data["changes"] = change_data(campaign, results, parts);
-  Json solvers = Json::array();
-  const std::vector<Solver> known = all_solvers();
-  for (const Solver& solver : campaign.solvers()) {
-    const bool outside = std::none_of(known.begin(), known.end(),
-                                      [&](const Solver& k) { return k.name == solver.name; });
-    solvers.push_back({{"name", solver.name},
-                       {"version", solver.version},
-                       {"outside", outside},
-                       {"kind", kind_of(solver.name)},
-                       {"needs", solver.capabilities.needs_in_words()}});
+  const Results across = across_page(campaign, results, reported);
+  if (!across.parts.empty()) add("across-machines", "comparison_machines", across);
+  Results failures;
+  if (add_perturbations(campaign, results, failures)) {
+    add("robustness", "comparison_failures", failures);
   }
-  data["campaign"] = campaign.plan().name;
-  data["compared"] = campaign.plan().name.starts_with("compare");  // true for the command `compare`
-  data["runs"] = campaign.runs();
-  data["planned"] = campaign.runs();  // cell_results() throws where runs are missing
-  data["present"] = campaign.runs();
-  data["missing"] = 0;
-  data["digest"] = digest.text();
-  data["suite"] = suite_version;
-  data["lacking"] = lacking_data(campaign.plan(), missing_solvers());
-  data["solvers"] = std::move(solvers);
-  data["library_notes"] = library_notes(campaign.solvers());
-  add_hashes(store.description().problems, data["groups"]);
-  add_notes(campaign.solvers(), data["groups"]);
-  Json solvers_data = solvers_page(campaign, results, sets, data["speed_accuracy"]);
-  Json view = {{"report", "comparison_view"},
-               {"campaign", data["campaign"]},
-               {"compared", data["compared"]},
-               {"runs", data["runs"]}};
-  view.update(view_data(campaign, results, parts, sets, known));
-  view["view"]["command"] = data["compared"].get<bool>()
-                                ? "./ricochet compare"
-                                : fmt::format("./ricochet run {} --out mine", campaign.plan().name);
-  data = in_pages(std::move(data));
-  data["answers"] = answers_data(data);
-  std::string opening = foreign_runs_of(store.description());
-  if (!opening.empty()) opening += ' ';
-  data["opening"] = opening + opening_of(data["leaders"]);
-  data["pages"].push_back({{"folder", "solvers"}, {"data", std::move(solvers_data)}});
-  data["pages"].push_back({{"folder", "view"}, {"data", std::move(view)}});
+  add("solvers", "comparison_solvers", solvers_page(campaign, results, sets, speed_accuracy));
+  Results view = view_page(campaign, results, reported, sets, all_solvers());
+  view.set("runs", campaign.runs());
+  view.set("campaign", name);
+  view.set("command",
+           compared ? "./ricochet compare" : fmt::format("./ricochet run {} --out mine", name));
+  add("view", "comparison_view", view);
   return data;
 }
 
 }  // namespace
 
+}  // namespace ricochet::studies::comparison
+
+namespace ricochet::studies {
+
 Study comparison_study(const Campaign& campaign, const Store& store) {
   return {"comparison", "Fewer instances and evaluations",
-          [&campaign, &store](bool) { return compute(campaign, store); }};
+          [&campaign, &store](bool) { return comparison::compute(campaign, store); }};
 }
 
 }  // namespace ricochet::studies
-
-namespace ricochet::studies::comparison {
-
-namespace {
-
-using report::Json;
-
-/// Lists whose rows name their family and belong on its page.
-constexpr const char* of_a_family[] = {
-    "speed_accuracy_charts", "profile_families", "pair_families", "log_ratio_families",
-    "break_even_families",   "formulations",     "ceilings"};
-
-Json rows_of(const Json& all, const std::string& family) {
-  Json rows = Json::array();
-  for (const Json& row : all) {
-    if (row.at("family") == family) rows.push_back(row);
-  }
-  return rows;
-}
-
-/// Moves members of one object to another.
-Json taken(Json& from, std::initializer_list<const char*> keys) {
-  Json to = Json::object();
-  for (const char* key : keys) {
-    to[key] = std::move(from.at(key));
-    from.erase(key);
-  }
-  return to;
-}
-
-/// Returns a row for each solver with the share of runs solved in each family with the largest
-/// budget, in its best formulation; sorted by the number of families taken, then by the share
-/// solved.
-Json solver_map(const Json& speed_accuracy, const Json& families) {
-  std::map<std::string, Json> shares;
-  for (const Json& row : speed_accuracy) {
-    if (row.at("budget").is_null() || !row.at("largest").get<bool>()) continue;
-    for (std::size_t f = 0; f < families.size(); ++f) {
-      if (families[f].at("family") != row.at("family")) continue;
-      Json& mine = shares[row.at("solver")];
-      if (mine.is_null()) mine = Json(families.size(), Json());
-      mine[f] = row.at("share");
-    }
-  }
-  struct Row {
-    std::string solver;
-    Json shares;
-    std::size_t taken = 0;
-    double sum = 0;
-  };
-  std::vector<Row> order;
-  for (auto& [solver, row] : shares) {
-    Row& mine = order.emplace_back(Row{solver, std::move(row)});
-    for (const Json& share : mine.shares) {
-      if (share.is_null()) continue;
-      ++mine.taken;
-      mine.sum += share.get<double>();
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [](const Row& a, const Row& b) {
-    return std::pair(a.taken, a.sum) > std::pair(b.taken, b.sum);
-  });
-  Json rows = Json::array();
-  for (Row& row : order) {
-    rows.push_back({{"solver", row.solver}, {"shares", std::move(row.shares)}});
-  }
-  return rows;
-}
-
-/// Returns how many solvers solve most of some family; nothing if one is the only one in all.
-Json map_leaders(const Json& map, std::size_t families) {
-  std::set<std::string> leaders;
-  for (std::size_t f = 0; f < families; ++f) {
-    double most = 0;
-    std::string leader;
-    for (const Json& row : map) {
-      const Json& share = row.at("shares").at(f);
-      if (share.is_null() || share.get<double>() <= most) continue;
-      most = share.get<double>();
-      leader = row.at("solver").get<std::string>();
-    }
-    if (!leader.empty()) leaders.insert(leader);
-  }
-  return leaders.size() > 1 ? Json(leaders.size()) : Json();
-}
-
-}  // namespace
-
-Json in_pages(Json all) {
-  Json pages = Json::array();
-  Json families = Json::array();
-  for (Json& group : all["groups"]) {
-    const std::string family = group["family"];
-    Json leader = group["budgets"].back()["leader"];
-    families.push_back({{"family", family},
-                        {"budget", group["budgets"].back()["budget"]},
-                        {"problems", group["problems"].size()},
-                        {"leader", std::move(leader)}});
-    Json page = std::move(group);
-    page["report"] = "comparison_family";
-    for (const char* key : {"drawn", "ratings"}) page.erase(key);  // the last budget has the same
-    for (const char* key : of_a_family) page[key] = rows_of(all[key], family);
-    pages.push_back({{"folder", family}, {"data", std::move(page)}});
-  }
-  all.erase("groups");
-  all["map"] = solver_map(all["speed_accuracy"], families);
-  all["map_leaders"] = map_leaders(all["map"], families.size());
-  all["families"] = std::move(families);
-  for (const char* key : of_a_family) {
-    if (key == std::string("speed_accuracy_charts")) continue;
-    all.erase(key);
-  }
-  // Charts of single families are also on their own pages; they stand here only if there is no
-  // joint one.
-  const Json joint = rows_of(all["speed_accuracy_charts"], "all");
-  if (!joint.empty()) all["speed_accuracy_charts"] = joint;
-  Json machines = taken(all, {"machines", "machine_maps", "landscapes", "turns", "effects",
-                              "unsure_effects", "main_effects"});
-  if (!machines["machines"].empty() || !machines["turns"].empty()) {
-    machines["report"] = "comparison_machines";
-    pages.push_back({{"folder", "across-machines"}, {"data", std::move(machines)}});
-  }
-  Json failures = taken(
-      all, {"perturbations", "perturbation_names", "perturbation_rows", "atlas", "atlas_maps"});
-  if (!failures["perturbations"].empty()) {
-    failures["report"] = "comparison_failures";
-    pages.push_back({{"folder", "failure-atlas"}, {"data", std::move(failures)}});
-  }
-  all["pages"] = std::move(pages);
-  return all;
-}
-
-}  // namespace ricochet::studies::comparison

@@ -18,8 +18,6 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Json;
-
 /// Names in the order in which they are first asked for.
 class Names {
  public:
@@ -42,40 +40,12 @@ struct ViewFamily {
   bool suite;                         ///< `ricochet solve` knows its problems
   std::vector<std::size_t> problems = {};
 };
-RICOCHET_FIELDS(ViewFamily, family, part, joint, suite, problems);
 
-struct ViewProblem {
-  std::string problem;
-  std::int64_t variables, constraints;
-  std::size_t targets;
-};
-RICOCHET_FIELDS(ViewProblem, problem, variables, constraints, targets);
-
-struct ViewSolver {
-  std::string solver;
-  bool outside;  ///< none of the suite: `ricochet solve` does not know it by this name
-};
-RICOCHET_FIELDS(ViewSolver, solver, outside);
-
+/// The runs of an entry, as text; see view.h.
 struct ViewEntry {
-  std::size_t family, perturbation, price;
-  std::int64_t budget;
-  std::size_t solver, formulation;
-  int instances, seeds;
-  std::string problems = {}, missing = {}, times = {}, spent = {}, repeats = {};
+  std::string problems;
+  ViewRunsText runs;
 };
-RICOCHET_FIELDS(ViewEntry, family, perturbation, price, budget, solver, formulation, instances,
-                seeds, problems, missing, times, spent, repeats);
-
-/// A row of the table for readers.
-struct ViewContents {
-  std::string family, part, variables;
-  std::size_t problems, entries;
-  std::string budgets, perturbations, prices;
-  std::size_t runs;
-};
-RICOCHET_FIELDS(ViewContents, family, part, variables, problems, entries, budgets, perturbations,
-                prices, runs);
 
 /// A part of the plan, and a family by its own name.
 using Asked = std::pair<std::size_t, std::string>;
@@ -116,8 +86,21 @@ class ViewTable {
         &result;
   }
 
-  Json view(const std::vector<Solver>& known) const {
-    std::vector<ViewEntry> entries;
+  void write(const std::vector<Solver>& known, report::Results& page) const {
+    Table entries{"view-entries",
+                  {{"family"},
+                   {"perturbation"},
+                   {"price"},
+                   {"budget"},
+                   {"solver"},
+                   {"formulation"},
+                   {"instances"},
+                   {"seeds"},
+                   {"problems"},
+                   {"missing"},
+                   {"times"},
+                   {"spent"},
+                   {"repeats"}}};
     std::vector<ViewOrderWriter> orders;
     std::optional<Condition> last;
     for (const auto& [common, taken] : cells_) {
@@ -126,28 +109,38 @@ class ViewTable {
       const Condition condition{family, perturbation, price, budget};
       if (condition != last) orders.emplace_back();
       last = condition;
-      entries.push_back(entry_of(common, taken, orders.back()));
+      const ViewEntry entry = entry_of(family, taken, orders.back());
+      entries.add(family, perturbation, price, budget, solver, formulation, instances, seeds,
+                  entry.problems, entry.runs.missing, entry.runs.times, entry.runs.spent,
+                  entry.runs.repeats);
     }
-    const Json solvers = report::list_of(solvers_.all(), [&](const std::string& name) {
-      return Json(ViewSolver{name, std::ranges::find(known, name, &Solver::name) == known.end()});
-    });
-    return {{"first_instance", campaign_.plan().first_instance},
-            {"families", families_},
-            {"problems", problems_},
-            {"solvers", solvers},
-            {"formulations", formulations_.all()},
-            {"perturbations", perturbations_.all()},
-            {"prices", prices_.all()},
-            {"entries", entries},
-            {"orders", report::list_of(orders, [](const auto& one) { return one.text(); })}};
-  }
-
-  Json contents() const {
-    Json rows = Json::array();
-    for (std::size_t family = 0; family < families_.size(); ++family) {
-      rows.push_back(contents_of(family));
+    Table families{"view-families", {{"family"}, {"part"}, {"joint"}, {"suite"}, {"problems"}}};
+    for (const ViewFamily& one : families_) {
+      families.add(one.family, one.part, one.joint, one.suite,
+                   fmt::format("{}", fmt::join(one.problems, " ")));
     }
-    return rows;
+    Table problems{"view-problems", {{"problem"}, {"variables"}, {"constraints"}, {"targets"}}};
+    for (const ViewProblem& one : problems_) {
+      problems.add(one.problem, one.variables, one.constraints, one.targets);
+    }
+    Table solvers{"view-solvers", {{"solver"}, {"outside"}}};
+    for (const std::string& name : solvers_.all()) {
+      solvers.add(name, std::ranges::find(known, name, &Solver::name) == known.end());
+    }
+    Table all_orders{"view-orders", {{"order"}}};
+    for (const ViewOrderWriter& one : orders) all_orders.add(one.text());
+    for (Table* table : {&entries, &families, &problems, &solvers, &all_orders}) {
+      page.add(std::move(*table));
+    }
+    for (const auto& [name, names] : {std::pair{"view-formulations", &formulations_},
+                                      std::pair{"view-perturbations", &perturbations_},
+                                      std::pair{"view-prices", &prices_}}) {
+      Table list{name, {{"name"}}};
+      for (const std::string& one : names->all()) list.add(one);
+      page.add(std::move(list));
+    }
+    page.set("first_instance", campaign_.plan().first_instance);
+    page.add(contents());
   }
 
  private:
@@ -182,17 +175,8 @@ class ViewTable {
     return place;
   }
 
-  ViewEntry entry_of(const Common& common, const Taken& taken, ViewOrderWriter& order) const {
-    const auto& [family, perturbation, price, budget, solver, formulation, instances, seeds] =
-        common;
-    ViewEntry entry{.family = family,
-                    .perturbation = perturbation,
-                    .price = price,
-                    .budget = budget,
-                    .solver = solver,
-                    .formulation = formulation,
-                    .instances = instances,
-                    .seeds = seeds};
+  ViewEntry entry_of(std::size_t family, const Taken& taken, ViewOrderWriter& order) const {
+    ViewEntry entry;
     ViewRunsWriter runs;
     const std::vector<std::size_t>& problems = families_[family].problems;
     for (const std::size_t problem : problems) {
@@ -211,42 +195,53 @@ class ViewTable {
       }
     }
     if (taken.size() == problems.size()) entry.problems.clear();
-    entry.missing = runs.text().missing;
-    entry.times = runs.text().times;
-    entry.spent = runs.text().spent;
-    entry.repeats = runs.text().repeats;
+    entry.runs = runs.text();
     return entry;
   }
 
-  ViewContents contents_of(std::size_t family) const {
-    std::set<std::int64_t> budgets, variables;
-    std::set<std::string> perturbations, prices;
-    std::set<std::pair<std::size_t, std::size_t>> entries;
-    std::size_t runs = 0;
-    for (const auto& [common, taken] : cells_) {
-      if (std::get<0>(common) != family) continue;
-      perturbations.insert(perturbations_.all()[std::get<1>(common)]);
-      prices.insert(prices_.all()[std::get<2>(common)]);
-      budgets.insert(std::get<3>(common));
-      entries.insert({std::get<4>(common), std::get<5>(common)});
-      for (const auto& [problem, result] : taken) runs += result->outcomes.size();
+  /// A row for each family, for readers.
+  Table contents() const {
+    Table table{"families",
+                {{"family"},
+                 {"part"},
+                 {"variables"},
+                 {"problems"},
+                 {"entries"},
+                 {"budgets"},
+                 {"perturbations"},
+                 {"prices", "prices of a gradient"},
+                 {"runs"}}};
+    for (std::size_t family = 0; family < families_.size(); ++family) {
+      std::set<std::int64_t> budgets, variables;
+      std::set<std::string> perturbations, prices;
+      std::set<std::pair<std::size_t, std::size_t>> entries;
+      std::size_t runs = 0;
+      for (const auto& [common, taken] : cells_) {
+        if (std::get<0>(common) != family) continue;
+        perturbations.insert(perturbations_.all()[std::get<1>(common)]);
+        prices.insert(prices_.all()[std::get<2>(common)]);
+        budgets.insert(std::get<3>(common));
+        entries.insert({std::get<4>(common), std::get<5>(common)});
+        for (const auto& [problem, result] : taken) runs += result->outcomes.size();
+      }
+      const ViewFamily& own = families_[family];
+      for (const std::size_t problem : own.problems) variables.insert(problems_[problem].variables);
+      table.add(own.family, own.part,
+                variables.size() == 1
+                    ? fmt::format("{}", *variables.begin())
+                    : fmt::format("{} to {}", *variables.begin(), *variables.rbegin()),
+                own.problems.size(), entries.size(), fmt::format("{}", fmt::join(budgets, ", ")),
+                fmt::format("{}", fmt::join(perturbations, ", ")),
+                fmt::format("{}", fmt::join(prices, ", ")), runs);
     }
-    for (const std::size_t problem : families_[family].problems) {
-      variables.insert(problems_[problem].variables);
-    }
-    const ViewFamily& own = families_[family];
-    return {own.family,
-            own.part,
-            variables.size() == 1
-                ? fmt::format("{}", *variables.begin())
-                : fmt::format("{} to {}", *variables.begin(), *variables.rbegin()),
-            own.problems.size(),
-            entries.size(),
-            fmt::format("{}", fmt::join(budgets, ", ")),
-            fmt::format("{}", fmt::join(perturbations, ", ")),
-            fmt::format("{}", fmt::join(prices, ", ")),
-            runs};
+    return table;
   }
+
+  struct ViewProblem {
+    std::string problem;
+    std::int64_t variables, constraints;
+    std::size_t targets;
+  };
 
   const Campaign& campaign_;
   const std::vector<ReportedPart>& parts_;
@@ -260,14 +255,16 @@ class ViewTable {
 
 }  // namespace
 
-Json view_data(const Campaign& campaign, const std::vector<CellResult>& results,
-               const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
-               const std::vector<Solver>& known) {
+report::Results view_page(const Campaign& campaign, const std::vector<CellResult>& results,
+                          const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
+                          const std::vector<Solver>& known) {
   ViewTable table(campaign, parts, sets);
   for (const CellResult& result : results) {
     if (!result.outcomes.empty()) table.add(result);
   }
-  return {{"families", table.contents()}, {"view", table.view(known)}};
+  report::Results page;
+  table.write(known, page);
+  return page;
 }
 
 void ViewOrderWriter::add(const RankedTogether& together, const Reached& reached) {

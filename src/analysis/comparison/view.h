@@ -11,26 +11,26 @@
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/outcomes.h"
 #include "src/analysis/statistics/ranking.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 namespace ricochet::studies::comparison {
 
-/// Returns the data of the page on which a reader filters the runs: `view`, a compact table of all
-/// runs, and `families`, a row for each family of the table, for readers.
+/// The page on which a reader filters the runs: tables whose names begin with "view-", a compact
+/// form of all runs, and "families", a row for each family, for readers.
 ///
-/// The view has lists of names, which its `entries` count from 0: `families` (of problems, as the
-/// report names them), `problems`, `solvers`, `formulations`, `perturbations` and `prices` of a
-/// gradient. An entry is a solver-formulation pair on one family under one perturbation, price and
-/// budget (evaluations for each variable). Its member `problems` has a 1 for each problem of the
-/// family that it takes and a 0 for others, or is empty if it takes all. Its runs are in the order
-/// of the problems, then of the instances, then of the seeds; how they are written is in
-/// view.h. `orders` has a text for each family, perturbation, price and budget, in the order of
-/// the entries: how the runs that miss targets are ranked, see view.h. A family's `joint` is
-/// the budget with which it is among "all", see joint_entry_set. A run is in the part of the plan
+/// The tables are lists of names, which "view-entries" counts from 0: families (of problems, as the
+/// report names them), problems, solvers, formulations, perturbations and prices of a gradient. An
+/// entry is a solver-formulation pair on one family under one perturbation, price and budget
+/// (evaluations for each variable). Its column `problems` has a 1 for each problem of the family that
+/// it takes and a 0 for others, or is empty if it takes all. Its runs are in the order of the
+/// problems, then of the instances, then of the seeds; how they are written is below. "view-orders"
+/// has a text for each family, perturbation, price and budget, in the order of the entries: how the
+/// runs that miss targets are ranked. A family's `joint` is the budget with which it is among "all",
+/// see joint_entry_set(); its `problems` are numbers of problems. A run is in the part of the plan
 /// that asks for it first. `known`: the solvers of the suite.
-report::Json view_data(const Campaign& campaign, const std::vector<CellResult>& results,
-                       const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
-                       const std::vector<Solver>& known);
+report::Results view_page(const Campaign& campaign, const std::vector<CellResult>& results,
+                          const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
+                          const std::vector<Solver>& known);
 
 /// Runs that are ranked with each other: problem, number of the run in its cell, and targets that
 /// the returned point misses. Between two targets the gaps differ, and the view has no gaps.

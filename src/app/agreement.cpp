@@ -11,7 +11,7 @@
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/export/formats.h"
 #include "src/analysis/rating.h"
@@ -29,20 +29,26 @@ using report::Json;
 using studies::comparison::entry_changes;
 using studies::comparison::EntryChange;
 using studies::comparison::EntryChanges;
+using studies::comparison::FamilyAgreement;
 
-std::string family_in_words(const Json& row) {
-  const std::string leader = row["leader"];
-  const std::string sure =
-      row["best"].is_null() ? "" : fmt::format(", P(best) {:.2f}", row["best"].get<double>());
-  const std::string place = row["place"].is_null()
-                                ? "is not ranked"
-                                : fmt::format("has place {}", row["place"].get<int>());
+std::string family_in_words(const FamilyAgreement& one) {
   return fmt::format(
       "{}: {} and {} problems; {}; the first of the one ({}{}) {} in the other, "
       "whose first is {}\n",
-      row["family"].get<std::string>(), row["problems"].get<int>(),
-      row["other_problems"].get<int>(), agreement_in_words(row["agreement"]), leader, sure, place,
-      row["other_leader"].get<std::string>());
+      one.family, one.problems, one.other_problems, agreement_in_words(one.agreement), one.leader,
+      one.best ? fmt::format(", P(best) {:.2f}", *one.best) : "",
+      one.place ? fmt::format("has place {}", *one.place) : "is not ranked", one.other_leader);
+}
+
+Json json_of(const FamilyAgreement& one) {
+  return {{"family", one.family},
+          {"problems", one.problems},
+          {"other_problems", one.other_problems},
+          {"agreement", agreement_json(one.agreement)},
+          {"leader", one.leader},
+          {"best", report::as_json(one.best)},
+          {"place", report::as_json(one.place)},
+          {"other_leader", one.other_leader}};
 }
 
 std::string entry_in_words(const EntryChange& change) {
@@ -91,19 +97,36 @@ Json json_of(const EntryChange& change) {
 }
 
 /// The agreement by family; empty, with a warning, if a campaign cannot be made or is not complete.
-Json agreements(const Store& first, const Store& second) {
+std::vector<FamilyAgreement> agreements(const Store& first, const Store& second) {
   try {
     const FinishedCampaign one = finished_campaign(first);
     const FinishedCampaign other = finished_campaign(second);
-    return studies::comparison::agreement_data(one.campaign, one.results, other.campaign,
-                                               other.results);
+    return studies::comparison::family_agreements(one.campaign, one.results, other.campaign,
+                                                  other.results);
   } catch (const InputError& error) {
     warn(fmt::format("the orders of the entries are not compared: {}", error.what()));
-    return Json::array();
+    return {};
   }
 }
 
 }  // namespace
+
+std::string agreement_in_words(
+    const std::optional<studies::comparison::Agreement>& agreement) {
+  if (!agreement) return "the orders cannot be compared";
+  return fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
+                     agreement->correlation, agreement->lower, agreement->upper,
+                     agreement->entries);
+}
+
+Json agreement_json(const std::optional<studies::comparison::Agreement>& agreement) {
+  if (!agreement) return nullptr;
+  return {{"entries", agreement->entries},
+          {"solvers", agreement->solvers},
+          {"correlation", agreement->correlation},
+          {"lower", agreement->lower},
+          {"upper", agreement->upper}};
+}
 
 int compare_stores(const std::string& first, const std::string& second, bool json) {
   const Store one = Store::open(archive_named(first), Store::For::reading);
@@ -111,19 +134,20 @@ int compare_stores(const std::string& first, const std::string& second, bool jso
   const auto one_has = told_completeness(one, first);
   const auto other_has = told_completeness(other, second);
   const EntryChanges changes = entry_changes(one, other);
-  const Json families = agreements(one, other);
+  const auto families = agreements(one, other);
   if (json) {
     const auto json_of_store = [](const auto& has) {
       return has ? exports::json_of(*has) : Json();
     };
     const Json data = {{"stores", {json_of_store(one_has), json_of_store(other_has)}},
-                       {"families", families},
-                       {"entries", report::list_of(changes.entries, json_of)},
+                       {"families", report::list_of(families, [](const auto& family) { return json_of(family); })},
+                       {"entries", report::list_of(changes.entries,
+                                        [](const EntryChange& change) { return json_of(change); })},
                        {"other_problems", changes.other_problems}};
     fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
   }
-  for (const Json& row : families) fmt::print("{}", family_in_words(row));
+  for (const FamilyAgreement& family : families) fmt::print("{}", family_in_words(family));
   print(changes);
   return 0;
 }

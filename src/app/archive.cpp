@@ -12,7 +12,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
-#include "src/analysis/comparison/shares.h"
+#include "src/analysis/comparison/order.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
@@ -170,27 +170,41 @@ struct SampleOptions {
 
 constexpr std::size_t least_problems = 3;
 
+using studies::comparison::SampledFamily;
+
 /// A family in a line, and its problems in the next.
-std::string row_in_words(const Json& row) {
-  std::string problems;
-  for (const Json& drawn : row["problems"]) {
-    problems += fmt::format("{}{} ({:.2f})", problems.empty() ? "" : ", ",
-                            drawn["problem"].get<std::string>(), drawn["difficulty"].get<double>());
+std::string sample_in_words(const SampledFamily& family) {
+  std::vector<std::string> problems;
+  for (const auto& [problem, difficulty] : family.problems) {
+    problems.push_back(fmt::format("{} ({:.2f})", problem, difficulty));
   }
-  std::string leader = row["leader"];
-  if (!row["returned"].is_null()) {
-    leader += fmt::format(" ({:.0f} % solved", 100 * row["returned"].get<double>());
-    if (!row["best"].is_null())
-      leader += fmt::format(", P(best) {:.2f}", row["best"].get<double>());
+  std::string leader = family.leader;
+  if (family.returned) {
+    leader += fmt::format(" ({:.0f} % solved", 100 * *family.returned);
+    if (family.best) leader += fmt::format(", P(best) {:.2f}", *family.best);
     leader += ")";
   }
-  const std::string on_sample =
-      row["leader"] == row["sample_leader"]
-          ? " on both"
-          : fmt::format(", on the sample {}", row["sample_leader"].get<std::string>());
-  return fmt::format("{}: {} of {} problems; {}; {} is first{}\n  {}\n",
-                     row["family"].get<std::string>(), row["problems"].size(), row["of"].get<int>(),
-                     agreement_in_words(row["agreement"]), leader, on_sample, problems);
+  const std::string on_sample = family.leader == family.sample_leader
+                                    ? " on both"
+                                    : fmt::format(", on the sample {}", family.sample_leader);
+  return fmt::format("{}: {} of {} problems; {}; {} is first{}\n  {}\n", family.family,
+                     problems.size(), family.of, agreement_in_words(family.agreement), leader,
+                     on_sample, fmt::join(problems, ", "));
+}
+
+Json sample_json(const SampledFamily& family) {
+  return {{"family", family.family},
+          {"of", family.of},
+          {"problems", report::list_of(family.problems,
+                                       [](const auto& one) {
+                                         return Json{{"problem", one.first},
+                                                     {"difficulty", one.second}};
+                                       })},
+          {"agreement", agreement_json(family.agreement)},
+          {"leader", family.leader},
+          {"returned", report::as_json(family.returned)},
+          {"best", report::as_json(family.best)},
+          {"sample_leader", family.sample_leader}};
 }
 
 int sample_problems(const SampleOptions& options) {
@@ -200,13 +214,14 @@ int sample_problems(const SampleOptions& options) {
   }
   const FinishedCampaign finished =
       finished_campaign(Store::open(archive_named(options.archive), Store::For::reading));
-  const Json rows =
-      studies::comparison::sample_data(finished.campaign, finished.results, share, least_problems);
+  const auto families = studies::comparison::sampled_families(finished.campaign, finished.results,
+                                                              share, least_problems);
   if (options.json) {
-    fmt::print("{}\n", rows.dump(2));
+    fmt::print("{}\n",
+               report::list_of(families, [](const auto& one) { return sample_json(one); }).dump(2));
     return 0;
   }
-  for (const Json& row : rows) fmt::print("{}", row_in_words(row));
+  for (const SampledFamily& family : families) fmt::print("{}", sample_in_words(family));
   return 0;
 }
 

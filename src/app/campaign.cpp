@@ -115,7 +115,7 @@ int run_plan(const RunOptions& options) {
     const auto study = studies::comparison_study(campaign, store);
     const studies::Finished finished = studies::run(study, false, options.out, start);
     fmt::print("{}", finished.epilogue);
-    digest = finished.data["digest"].get<std::string>();
+    digest = finished.data["values"]["digest"].get<std::string>();
     failures = finished.failures;
   } else {
     digest = store.digest();

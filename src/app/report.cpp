@@ -41,10 +41,11 @@ void warn_of_other_runs(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "data.json") || !std::filesystem::exists(store)) return;
   try {
     const report::Json data = report::data_in(text_of_file(folder / "data.json"));
-    if (!data.contains("digest")) return;
+    const report::Json values = data.value("values", report::Json::object());
+    if (!values.contains("digest")) return;
     const Store runs = Store::open(store, Store::For::reading);
     told_completeness(runs, store.string());
-    if (runs.digest() == data["digest"]) return;
+    if (runs.digest() == values["digest"]) return;
     warn(fmt::format(
         "{}: has other runs than this report: make the report again by the command that "
         "made it",

@@ -14,6 +14,7 @@
 #include "ricochet/machine.h"
 #include "src/app/command_line.h"
 #include "src/report/json.h"
+#include "src/analysis/comparison/order.h"
 #include "src/studies/machine/charts.h"
 
 namespace ricochet::cli {
@@ -67,13 +68,10 @@ carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
 /// changed from the first to the second: see entry_changes().
 int compare_stores(const std::string& first, const std::string& second, bool json);
 
-/// The agreement of two orders in words; null if they cannot be compared.
-inline std::string agreement_in_words(const report::Json& agreement) {
-  if (agreement.is_null()) return "the orders cannot be compared";
-  return fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
-                     agreement["correlation"].get<double>(), agreement["lower"].get<double>(),
-                     agreement["upper"].get<double>(), agreement["entries"].get<int>());
-}
+/// The agreement of two orders in words; nothing if they cannot be compared.
+std::string agreement_in_words(
+    const std::optional<studies::comparison::Agreement>& agreement);
+report::Json agreement_json(const std::optional<studies::comparison::Agreement>& agreement);
 
 /// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",
 /// "clearance=0.5..2 mm".

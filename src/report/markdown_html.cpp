@@ -197,7 +197,7 @@ class Refiner {
     refine(caption);
     const std::string mark = fmt::format("[[picture {}]]", later_.size());
     paragraph.prepend_child(pugi::node_pcdata).set_value(mark.c_str());
-    std::string html = html_of(chart, drawn);
+    std::string html = chart.name.empty() ? drawn.svg : html_of(chart, drawn);
     if (chart.heat_map && !chart.heat_map->row_links.empty()) {
       has_links_ = true;
       html += data_script("chart-links", cell_links_data(chart, {chart.heat_map->row_links,

@@ -117,6 +117,8 @@ struct Scope {
     return find(&Results::table, name);
   }
 
+  bool open() const { return results.front()->open; }
+
   /// The table of "table.column"; null if it is no such name.
   const ricochet::Table* table_of(std::string_view name) const {
     const std::size_t dot = name.find('.');
@@ -129,6 +131,8 @@ struct Scope {
       return (*table)[row][name.substr(table->name.size() + 1)];
     }
     if (const Value* found = find(&Results::value, name)) return *found;
+    static const Value missing;
+    if (open()) return missing;
     throw std::logic_error(fmt::format("a page asks for {}, which the results do not have", name));
   }
 };
@@ -204,10 +208,23 @@ const ricochet::Table* repeated_in(const std::string& line, const Scope& scope) 
   return table;
 }
 
+/// Whether all that a line asks for is missing, and it asks for something.
+bool asks_in_vain(const std::string& line, const Scope& scope) {
+  bool asks = false, has = false;
+  each_name(
+      line, [](std::string_view) {},
+      [&](const std::string& name, std::string_view) {
+        asks = true;
+        has = has || !is_missing(scope.value(name));
+      });
+  return asks && !has;
+}
+
 std::string table_markdown(const std::string& what, const Scope& scope) {
   const std::size_t blank = std::min(what.find(' '), what.size());
   const std::string name = what.substr(0, blank);
   const ricochet::Table* table = scope.find_table(name);
+  if (table == nullptr && scope.open()) return "";
   if (table == nullptr)
     throw std::logic_error("a page asks for the table " + name + ", which the results do not have");
   if (table->rows.empty()) return "";
@@ -313,6 +330,8 @@ class Filler {
         continue;
       }
       const auto one = in_code ? filled(line, scope, false) : filled_one(line, scope);
+      // A row that asks for a table which is not there.
+      if (is_row(line) && !in_code && asks_in_vain(line, scope)) return "";
       if (!one && is_item(line)) continue;
       if (!one) return "";
       text += *one + "\n";
@@ -420,9 +439,14 @@ std::string terminal_text(const PageSource& page, const Results& results) {
   return text;
 }
 
-PageFiles page_files(const PageSource& page, const Results& results) {
+PageFiles page_files(const PageSource& page, const Results& results,
+                     const std::map<std::string, std::string>& further) {
   PageFiles written;
   PagePictures pictures;
+  for (const auto& [name, svg] : further) {
+    pictures[name + ".svg"] = {Chart{.name = "", .width = 900}, DrawnChart{name, "", svg}};
+    written.files[name + ".svg"] = svg;
+  }
   const Filler filler([&](const Chart& chart) {
     DrawnChart drawn = draw(chart);
     if (drawn.is_drawn()) {
@@ -444,7 +468,7 @@ PageFiles page_files(const PageSource& page, const Results& results) {
     view[table.name.substr(5)] = json_of(Results{{}, {table}})["tables"][table.name];
   }
   if (const Value* first = results.value("first_instance")) {
-    view["first_instance"] = number_in(*first).value_or(0);
+    view["first_instance"] = ricochet::number_in(*first).value_or(0);
   }
   if (const Value* command = results.value("command"); command != nullptr && !view.is_null()) {
     view["command"] = ricochet::text_of(*command);

@@ -79,6 +79,8 @@ struct PageFiles {
   FileSet files;
   std::vector<std::string> failures;  ///< a line for each chart that could not be drawn
 };
-PageFiles page_files(const PageSource& page, const Results& results);
+/// `pictures`: further SVGs by name, which the page shows by a value ![title](name.svg).
+PageFiles page_files(const PageSource& page, const Results& results,
+                     const std::map<std::string, std::string>& pictures = {});
 
 }  // namespace ricochet::report

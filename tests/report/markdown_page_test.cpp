@@ -100,7 +100,7 @@ TEST(MarkdownPage, RepeatsABlockForEachPart) {
   EXPECT_THAT(html, HasSubstr("<div class=\"choices\" data-label=\"Solver\">"));
   EXPECT_THAT(html,
               HasSubstr("<div class=\"choice\" id=\"nlopt-cobyla\" data-title=\"nlopt-cobyla\">"));
-  EXPECT_THAT(html, HasSubstr("</div><p>End.</p>"));
+  EXPECT_THAT(html, HasSubstr("</div></div>\n<p>End.</p>"));
   EXPECT_THAT(filled_text("{{choose none: Solver}}\n\nText.\n\n{{end}}\n", all), "");
 }
 

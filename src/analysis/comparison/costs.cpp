@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -407,6 +408,49 @@ Chart speed_accuracy_chart(const Table& of_family, bool by_time) {
          name_at(row.text("solver"), front)});
   });
   return chart;
+}
+
+Table kind_table(const Table& of_family) {
+  Table table{"kinds",
+              {{"kind"},
+               {"solvers"},
+               {"best", "best of the kind"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3}}};
+  std::map<std::string, std::size_t> solvers;
+  const Table rows = sorted(where(of_family, "complete", true), {"-share", "evaluations"});
+  each_row(rows, [&](const Row& row) { ++solvers[row.text("kind")]; });
+  std::set<std::string> told;
+  each_row(rows, [&](const Row& row) {
+    const bool first = told.insert(row.text("kind")).second;
+    const bool paper = row.text("solver") == paper_solver;
+    if (!first && !paper) return;
+    table.add(first ? row.text("kind") : "the paper's algorithm",
+              first ? value_of(solvers.at(row.text("kind"))) : Value(), row.text("solver"),
+              row["share"], row["lower"], row["upper"]);
+  });
+  return table;
+}
+
+std::optional<std::string> paper_algorithm_sentence(const Table& of_family) {
+  const auto find = [&](const std::string& solver) {
+    return of_family.find([&](const Row& row) {
+      return row.is("complete") && row.text("solver") == solver;
+    });
+  };
+  const auto own = find(paper_solver), drawn = find("random-search");
+  if (!own || !drawn) return {};
+  const std::string family = of_family[0].text("family");
+  const bool better = own->number("lower") > drawn->number("upper");
+  const bool worse = own->number("upper") < drawn->number("lower");
+  return fmt::format(
+      "The paper's algorithm ({}) is {} than random search on {} ({:.0f} problems): it solves {:.0f} % "
+      "[{:.0f}, {:.0f}] of the runs, random search {:.0f} % [{:.0f}, {:.0f}].",
+      paper_solver, better ? "better" : worse ? "worse" : "not measurably better",
+      family == "all" ? "the families that most solvers take" : family, own->number("problems"),
+      100 * own->number("share"), 100 * own->number("lower"), 100 * own->number("upper"),
+      100 * drawn->number("share"), 100 * drawn->number("lower"), 100 * drawn->number("upper"));
 }
 
 std::string front_sentence(const Table& of_family) {

@@ -401,37 +401,25 @@ std::optional<std::size_t> place_of(const Rating& wanted, const std::vector<Rati
 
 }  // namespace
 
-Table agreement_table(const Campaign& first, const std::vector<CellResult>& of_first,
-                      const Campaign& second, const std::vector<CellResult>& of_second) {
-  Table table{"families",
-              {{"family"},
-               {"problems"},
-               {"other_problems"},
-               {"entries"},
-               {"solvers"},
-               {"correlation", "", ".2f"},
-               {"lower", "", ".2f"},
-               {"upper", "", ".2f"},
-               {"leader"},
-               {"best", "P(best)", ".2f"},
-               {"place"},
-               {"other_leader"}}};
+std::vector<FamilyAgreement> family_agreements(const Campaign& first,
+                                               const std::vector<CellResult>& of_first,
+                                               const Campaign& second,
+                                               const std::vector<CellResult>& of_second) {
+  std::vector<FamilyAgreement> all;
   const std::vector<RatedFamily> others = rated_families(second, of_second);
   for (const RatedFamily& rated : rated_families(first, of_first)) {
     const auto other = std::ranges::find(others, rated.name, &RatedFamily::name);
     if (other == others.end()) continue;
     const Order order = order_of(rated.ratings), other_order = order_of(other->ratings);
-    const Rating* leader = leader_of(rated.ratings);
-    const auto agreement = agreement_of(order, other_order);
-    table.add(rated.name, rated.problems, other->problems,
-              value_of(agreement, &Agreement::entries), value_of(agreement, &Agreement::solvers),
-              value_of(agreement, &Agreement::correlation), value_of(agreement, &Agreement::lower),
-              value_of(agreement, &Agreement::upper), order.leader,
-              value_of(leader, &Rating::probability_of_being_best),
-              value_of(leader, [&](const Rating& r) { return place_of(r, other->ratings); }),
-              other_order.leader);
+    FamilyAgreement& one = all.emplace_back(FamilyAgreement{
+        rated.name, rated.problems, other->problems, agreement_of(order, other_order),
+        order.leader, {}, {}, other_order.leader});
+    if (const Rating* leader = leader_of(rated.ratings)) {
+      one.best = leader->probability_of_being_best;
+      one.place = place_of(*leader, other->ratings);
+    }
   }
-  return table;
+  return all;
 }
 
 namespace {

@@ -85,13 +85,22 @@ Table change_table(const Campaign& campaign, const std::vector<CellResult>& resu
 std::vector<RatedFamily> rated_families(const Campaign& campaign,
                                         const std::vector<CellResult>& results);
 
-/// How far two campaigns with complete runs order their entries alike: a row for each family of the
-/// first that the second has, too, with the largest budget of each: the agreement (entries,
-/// solvers, correlation, lower, upper; missing where it cannot be said), `leader`, the first entry
-/// of the first campaign, with `best`, its P(best) there, and `place`, its place in the second;
-/// `other_leader`, the first of the second.
-Table agreement_table(const Campaign& first, const std::vector<CellResult>& of_first,
-                      const Campaign& second, const std::vector<CellResult>& of_second);
+/// How far two campaigns order the entries of a family alike, with the largest budget of each.
+struct FamilyAgreement {
+  std::string family;
+  std::size_t problems, other_problems;
+  std::optional<Agreement> agreement;
+  std::string leader;                ///< the first entry of the first campaign
+  std::optional<double> best;        ///< its P(best) there
+  std::optional<std::size_t> place;  ///< its place in the second; nothing if it is not ranked there
+  std::string other_leader;          ///< the first of the second campaign
+};
+
+/// For each family of the first campaign that the second has, too. The runs of both are complete.
+std::vector<FamilyAgreement> family_agreements(const Campaign& first,
+                                               const std::vector<CellResult>& of_first,
+                                               const Campaign& second,
+                                               const std::vector<CellResult>& of_second);
 
 /// A sample of the problems of a campaign whose runs are complete, drawn within each family from
 /// strata of difficulty: the share of its runs, over all entries, that did not solve a problem.

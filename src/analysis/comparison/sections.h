@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,14 @@ Table speed_accuracy_table(const Campaign& campaign, const std::vector<EntrySet>
 /// The success rate over evaluations or seconds, a dot for each complete row of one family and
 /// budget, of which there must be one, with the Pareto front.
 report::Chart speed_accuracy_chart(const Table& of_family, bool by_time);
+
+/// The best of each kind of solvers on one family and budget, the best kind first, and the paper's
+/// algorithm: kind, solvers (of the kind), best, and its success rate with the interval.
+Table kind_table(const Table& of_family);
+
+/// Whether the paper's algorithm is better than random search there, by their intervals; nothing if
+/// one of them does not take all problems.
+std::optional<std::string> paper_algorithm_sentence(const Table& of_family);
 
 /// How many solvers are on the front, and how many more are statistically tied with its most
 /// accurate.

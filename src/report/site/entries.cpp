@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <exception>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <system_error>
-#include <tuple>
 
 #include "ricochet/error.h"
 #include "src/core/files.h"
@@ -18,170 +16,6 @@
 #include "src/report/text.h"
 
 namespace ricochet::site {
-
-namespace {
-
-/// For each family and budget; the others are in the report.
-constexpr std::size_t always_shown = 15;
-
-/// Family, budget, solver, formulation.
-using Key = std::tuple<std::string, double, std::string, std::string>;
-
-Extent extent(const std::vector<FamilyProblem>& problems, std::int64_t FamilyProblem::*number) {
-  const auto [least, most] = std::ranges::minmax_element(problems, {}, number);
-  return least == problems.end() ? Extent{0, 0} : Extent{(*least).*number, (*most).*number};
-}
-
-class Table {
- public:
-  explicit Table(const ComparisonData& data) {
-    for (const SpeedAccuracy& one : data.speed_accuracy) {
-      fast_[{one.family, one.budget.value_or(0), one.solver, one.formulation}] = one;
-    }
-    for (const NamedSolver& solver : data.solvers) {
-      if (solver.outside) outside_.insert(solver.name);
-    }
-  }
-
-  void add(std::size_t family, const std::string& name, const RatedBudget& budget) {
-    std::size_t place = 0;
-    for (const Rating& rating : budget.ratings) {
-      const auto fast = fast_.find({name, budget.budget, rating.solver, rating.formulation});
-      const bool outside = outside_.contains(rating.solver);
-      if (++place > always_shown && fast == fast_.end() && !outside) continue;
-      Entry entry{.family = family,
-                  .budget = budget.budget,
-                  .place = place,
-                  .of = budget.ratings.size(),
-                  .solver = rating.solver,
-                  .formulation = rating.formulation,
-                  .outside = outside,
-                  .best = rating.best,
-                  .targets = rating.share,
-                  .lower = rating.lower,
-                  .upper = rating.upper,
-                  .returned = rating.returned,
-                  .never = rating.never,
-                  .rank = rating.rank};
-      if (fast != fast_.end()) measure(fast->second, entry);
-      entries.push_back(std::move(entry));
-    }
-  }
-
-  /// Adds the entries of all families together, which have no ratings: sorted by the share solved,
-  /// then by evaluations. Returns the number of problems that the first takes, `usual` if the data
-  /// lack it; nothing if there are no entries.
-  std::optional<std::size_t> add_all(std::size_t family, std::size_t usual) {
-    std::vector<SpeedAccuracy> joint;
-    for (const auto& [key, one] : fast_) {
-      if (!one.budget) joint.push_back(one);
-    }
-    std::ranges::sort(joint, [](const SpeedAccuracy& a, const SpeedAccuracy& b) {
-      return a.share != b.share ? a.share > b.share : a.evaluations < b.evaluations;
-    });
-    std::size_t place = 0;
-    for (const SpeedAccuracy& one : joint) {
-      Entry entry{.family = family,
-                  .place = ++place,
-                  .of = joint.size(),
-                  .solver = one.solver,
-                  .formulation = one.formulation,
-                  .outside = outside_.contains(one.solver),
-                  .returned = one.share,
-                  .rank = static_cast<double>(place)};
-      measure(one, entry);
-      entries.push_back(std::move(entry));
-    }
-    if (joint.empty()) return std::nullopt;
-    return joint.front().problems ? static_cast<std::size_t>(*joint.front().problems) : usual;
-  }
-
-  std::vector<Entry> entries;
-
- private:
-  static void measure(const SpeedAccuracy& from, Entry& entry) {
-    entry.evaluations = from.evaluations;
-    entry.seconds = from.seconds;
-    entry.solved = from.share;
-    entry.solved_lower = from.share_lower;
-    entry.solved_upper = from.share_upper;
-    entry.error = from.optimality_gap;
-    entry.error_lower = from.optimality_gap_lower;
-    entry.error_upper = from.optimality_gap_upper;
-    entry.complete = from.complete;
-  }
-
-  std::map<Key, SpeedAccuracy> fast_;
-  std::set<std::string> outside_;
-};
-
-Curve curve_of(std::size_t family, double budget, const Progress& first) {
-  Curve curve{family, budget, first.solver, first.formulation, {}};
-  auto& points = curve.points;
-  if (!first.progress.empty()) points.push_back({first.progress.front().evaluations, 0});
-  for (const Step& step : first.progress) {
-    const bool level = points.size() > 1 && points.back()[1] == step.share &&
-                       points[points.size() - 2][1] == step.share;
-    if (level) points.pop_back();  // its ends suffice
-    points.push_back({step.evaluations, step.share});
-  }
-  return curve;
-}
-
-}  // namespace
-
-FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& problems) {
-  return {name, problems.size(), extent(problems, &FamilyProblem::variables),
-          extent(problems, &FamilyProblem::constraints)};
-}
-
-Comparison comparison_of(const FoundReport& report) {
-  Comparison comparison{report.folder, {}, {}, {}, {}};
-  const auto data = report.data.get<ComparisonData>();
-  for (const NamedSolver& solver : data.solvers) {
-    if (solver.kind) comparison.kinds[solver.name] = *solver.kind;
-  }
-  Table table(data);
-  std::vector<FamilyData> families;
-  std::vector<FamilyProblem> problems;
-  for (const FoundPage& page : report.pages) {
-    if (!holds(page.headline, "family")) continue;
-    const FamilyData& family = families.emplace_back(page.data.get<FamilyData>());
-    problems.insert(problems.end(), family.problems.begin(), family.problems.end());
-  }
-  if (const auto all = table.add_all(0, problems.size())) {
-    comparison.families.push_back(size_of("all", problems));
-    comparison.families.back().problems = *all;
-  }
-  for (const FamilyData& family : families) {
-    const std::size_t number = comparison.families.size();
-    for (const RatedBudget& budget : family.budgets) {
-      table.add(number, family.family, budget);
-      for (const Progress& first : budget.first) {
-        comparison.curves.push_back(curve_of(number, budget.budget, first));
-      }
-      for (const Progress& paper : budget.paper.value_or(std::vector<Progress>())) {
-        comparison.curves.push_back(curve_of(number, budget.budget, paper));
-      }
-    }
-    comparison.families.push_back(size_of(family.family, family.problems));
-  }
-  comparison.entries = std::move(table.entries);
-  return comparison;
-}
-
-const FoundReport* largest_comparison(const std::vector<FoundReport>& reports) {
-  const FoundReport* largest = nullptr;
-  const auto runs = [](const FoundReport& r) {
-    const Json number = r.data.value("runs", Json());
-    return number.is_number() ? number.get<std::int64_t>() : 0;
-  };
-  for (const FoundReport& report : reports) {
-    if (!holds(report.headline, "entries")) continue;
-    if (largest == nullptr || runs(report) > runs(*largest)) largest = &report;
-  }
-  return largest;
-}
 
 namespace {
 
@@ -218,10 +52,11 @@ std::optional<report::Headline> headline_of(const report::PageSource& page, cons
       const auto found = page.keys.find(name);
       return found == page.keys.end() ? "" : report::filled_line(found->second, results);
     };
-    report::Headline headline{.version = report::headline_version,
-                              .title = report::title_of(page, results),
-                              .finding = key("finding"),
-                              .command = key("made_by")};
+    report::Headline headline;
+    headline.version = report::headline_version;
+    headline.title = report::title_of(page, results);
+    headline.finding = key("finding");
+    headline.command = key("made_by");
     if (!page.keys.contains("command")) {
       headline.group = key("group");
       headline.label = key("label");
@@ -258,9 +93,30 @@ std::vector<std::string> pages_in(const Json& data) {
   return pages;
 }
 
+Made made_of(const Json& data) {
+  Made made;
+  const Json own = data.is_object() ? data.value("made", Json::object()) : Json::object();
+  made.date = read<std::string>(own, "date");
+  made.version = read<std::string>(own, "version");
+  made.compiler = read<std::string>(own, "compiler");
+  made.seconds = read<double>(own, "seconds");
+  made.quick = read<bool>(own, "quick");
+  return made;
+}
+
+/// The results of a page of Markdown; nothing if they cannot be read.
+std::optional<report::Results> results_of(const report::ReportKind& kind, const Json& data) {
+  if (!report::is_page_source(report::page_template(kind.name))) return {};
+  try {
+    return report::results_of(data);
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
 FoundReport found(const fs::path& folder, const report::ReportKind& kind, Json data) {
-  FoundReport report{folder.filename().string(), kind, read<Made>(data, "made").value_or(Made{}),
-                     headline_of(data),          {},   {}};
+  FoundReport report{folder.filename().string(), kind, made_of(data), headline_of(data), {}};
+  report.results = results_of(kind, data);
   const std::vector<std::string> pages = pages_in(data);
   report.data = std::move(data);
   for (const std::string& page : pages) {
@@ -309,10 +165,6 @@ std::vector<FoundReport> found_reports(const fs::path& site) {
 std::string label_of(const FoundReport& report) {
   if (report.folder == report.kind.name) return report.kind.label;
   return fmt::format("{}: {}", report.kind.label, report.folder);
-}
-
-bool holds(const std::optional<report::Headline>& headline, const std::string& what) {
-  return headline && std::ranges::count(headline->holds, what) > 0;
 }
 
 }  // namespace ricochet::site

@@ -3,308 +3,153 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
-#include <iterator>
-#include <map>
-#include <utility>
 
-#include "src/report/site/entries.h"
-#include "src/report/site/front_answers.h"
+#include "embedded/citation.h"
+#include "embedded/look.h"
+#include "embedded/live_charts.h"
+#include "embedded/live_controls.h"
+#include "embedded/live_default_machine.h"
+#include "embedded/live_look.h"
+#include "embedded/live_machine.h"
+#include "embedded/live_map_chart.h"
+#include "embedded/live_module.h"
+#include "embedded/live_page_script.h"
+#include "embedded/live_picture.h"
+#include "embedded/live_race.h"
+#include "embedded/live_sentences.h"
+#include "embedded/live_state.h"
+#include "embedded/live_template.h"
+#include "embedded/live_window_charts.h"
+#include "embedded/live_workers.h"
+#include "embedded/machine_sketch.h"
+#include "embedded/page_cite.h"
+#include "embedded/page_front.h"
+#include "src/report/markdown_page.h"
+#include "src/report/report.h"
+#include "src/report/text.h"
 
 namespace ricochet::site {
 
 namespace {
 
-constexpr const char* other_version = "Its data are of another version: run the command again.";
+using report::Results;
 
-/// Splits a link in a report's page into the folder and the anchor with its #.
-std::pair<std::string, std::string> place_of(const std::string& report, const std::string& to) {
-  const std::size_t hash = std::min(to.find('#'), to.size());
-  const std::string page = to.substr(0, hash);
-  return {page.empty() ? report : report + "/" + page, to.substr(hash)};
-}
-
-FrontExcerpt excerpt_of(const report::Excerpt& from, const std::string& folder) {
-  FrontExcerpt excerpt{from.heading, from.text, {}, from.table.caption, {}, {}};
-  for (const report::Link& link : from.links) {
-    const auto [page, anchor] = place_of(folder, link.to);
-    excerpt.links.push_back({link.text, page, anchor});
+/// Adds what a report says under the name of its kind.
+void add_report(const FoundReport& found, Results& site) {
+  const std::string& kind = found.kind.name;
+  if (!found.results) return;
+  for (const auto& [name, value] : found.results->values) {
+    if (!name.starts_with("made.")) site.values.emplace_back(kind + "." + name, value);
   }
-  for (const report::Column& column : from.table.columns) {
-    excerpt.columns.push_back({column.title, column.alignment == report::Alignment::left});
+  for (ricochet::Table table : found.results->tables) {
+    table.name = kind + "-" + table.name;
+    site.add(std::move(table));
   }
-  for (const std::vector<report::Cell>& row : from.table.rows) {
-    FrontRow& shown = excerpt.rows.emplace_back();
-    for (const report::Cell& cell : row) {
-      const bool left = excerpt.columns[shown.cells.size()].left;
-      const auto [page, anchor] = place_of(folder, cell.link);
-      shown.cells.push_back({cell.text, cell.link.empty() ? "" : page, anchor, left});
-    }
-  }
-  return excerpt;
-}
-
-void add_excerpts(const report::Headline& headline, const std::string& folder, Front& front) {
-  const std::map<std::string, std::vector<FrontExcerpt>*> topics = {{"speed", &front.speed},
-                                                                    {"solver", &front.solver},
-                                                                    {"question", &front.question},
-                                                                    {"entries", &front.entries}};
-  for (const report::Excerpt& excerpt : headline.excerpts) {
-    const auto topic = topics.find(excerpt.topic);
-    if (topic != topics.end()) topic->second->push_back(excerpt_of(excerpt, folder));
+  for (report::Chart chart : found.results->charts) {
+    chart.name = kind + "-" + chart.name;
+    site.add(std::move(chart));
   }
 }
 
-/// Adds the ranks of external solvers with the largest budget of each family, and the number of
-/// entries.
-void add_places(const Comparison& comparison, Front& front) {
-  std::map<std::size_t, double> largest;
-  for (const Entry& entry : comparison.entries) {
-    largest[entry.family] = std::max(largest[entry.family], entry.budget);
-  }
-  FrontExcerpt places{
-      .caption = "Places of solvers from outside",
-      .columns = {
-          {"solver, formulation", true}, {"problems", true}, {"budget", false}, {"place", false}}};
-  for (const Entry& entry : comparison.entries) {
-    if (!entry.outside || entry.budget == 0 || entry.budget != largest[entry.family]) continue;
-    places.rows.push_back({{{fmt::format("{}, {}", entry.solver, entry.formulation), "", "", true},
-                            {comparison.families[entry.family].name, "", "", true},
-                            {fmt::format("{}", entry.budget), "", "", false},
-                            {fmt::format("{} of {}", entry.place, entry.of), "", "", false}}});
-  }
-  if (!places.rows.empty()) front.own.push_back(std::move(places));
+constexpr const char* other_version = "Its data are of another version.";
+
+std::string bibtex(const std::string& year) {
+  return fmt::format(
+      "@software{{ricochet,\n"
+      "  title   = {{ricochet}},\n"
+      "  author  = {{{{The ricochet authors}}}},\n"
+      "  version = {{{}}},\n"
+      "{}"
+      "  note    = {{Simulates a yarn carrier of a braiding machine and benchmarks solvers on it}}\n"
+      "}}\n\n"
+      "@misc{{yao2024,\n"
+      "  title        = {{Optimization analysis of carrier-track collision in braiding process}},\n"
+      "  author       = {{Yao, Lingling and Song, Wei and Pan, Wei and Lu, Yapeng}},\n"
+      "  howpublished = {{De Gruyter, published 2 December 2024}},\n"
+      "  year         = {{2024}}\n"
+      "}}",
+      RICOCHET_VERSION, year.empty() ? "" : fmt::format("  year    = {{{}}},\n", year));
 }
 
-Card card_of(const FoundReport& report) {
-  Card card{report.folder,       label_of(report),   report.kind.label,
-            other_version,       report.made.date,   report.made.quick.value_or(false),
-            report.made.seconds, report.kind.command};
-  if (!report.headline) return card;
-  card.title = report.headline->title;
-  card.finding = report.headline->finding;
-  if (!report.headline->command.empty()) {  // linked if it exists
-    card.command = report.headline->command;
-    card.seconds.reset();
-  }
-  return card;
-}
-
-/// The folder whose data cannot be read: that of a report, or of one of its pages.
-std::string unread_folder(const FoundReport& report) {
-  for (const FoundPage& page : report.pages) {
-    if (!holds(page.headline, "family")) continue;
-    try {
-      static_cast<void>(page.data.get<FamilyData>());
-    } catch (const Json::exception&) {
-      return report.folder + "/" + page.folder;
-    }
-  }
-  return report.folder;
-}
-
-/// Marks the reports whose data cannot be read.
-template <class Read>
-auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
-  using Result = std::optional<std::decay_t<decltype(read(*report))>>;
-  if (report == nullptr) return Result();
-  try {
-    return Result(read(*report));
-  } catch (const std::exception& error) {  // of another version, or damaged
-    front.unread.emplace_back(unread_folder(*report), error.what());
-    for (Card& card : front.cards) {
-      if (card.folder == report->folder) card.finding = other_version;
-    }
-    return Result();
-  }
-}
-
-/// The report of the paper's cases; null if there is none.
-const FoundReport* of_kind(const std::vector<FoundReport>& reports, const std::string& kind) {
-  const auto found = std::ranges::find_if(reports, [&](const FoundReport& report) {
-    return report.kind.name == kind && report.headline;
-  });
-  return found == reports.end() ? nullptr : &*found;
-}
-
-void read_machines(const std::vector<FoundReport>& reports, Front& front) {
-  front.machines = read_or_mark(of_kind(reports, "reproduction"), front, [&](const FoundReport&) {
-                     return paper_machines(reports);
-                   }).value_or(std::nullopt);
-}
-
-/// Reads the largest comparison, and what follows from it.
-void read_comparison(const std::vector<FoundReport>& reports, Front& front) {
-  const FoundReport* largest = largest_comparison(reports);
-  front.comparison = read_or_mark(largest, front, comparison_of);
-  if (!front.comparison) return;
-  add_places(*front.comparison, front);
-  front.chooser = read_or_mark(largest, front, [&](const FoundReport& report) {
-    return chooser_of(report, family_titles(reports));
-  });
-  const auto data = largest->data.get<ComparisonData>();
-  front.runs = data.runs;
-  front.solvers = static_cast<std::int64_t>(data.solvers.size());
-  for (const FamilySize& family : front.comparison->families) {
-    if (family.name != "all") front.problems += static_cast<std::int64_t>(family.problems);
-  }
-  const auto simulating = std::ranges::find_if(
-      reports, [](const FoundReport& r) { return holds(r.headline, "simulations"); });
-  if (simulating == reports.end()) return;
-  front.pairs = read_or_mark(&*simulating, front, [&](const FoundReport& report) {
-                  return pairs_of(report, *largest);
-                }).value_or(std::nullopt);
-}
-
-void add_answers(const std::vector<FoundReport>& reports, Front& front) {
-  const FoundReport* comparison = front.comparison ? largest_comparison(reports) : nullptr;
-  const Answered answered{front.machines, front.chooser, front.pairs, comparison, reports};
-  front.answers = first_answers(answered);
-  std::vector<FrontExcerpt> further = further_answers(answered);
-  front.question.insert(front.question.begin(), std::make_move_iterator(further.begin()),
-                        std::make_move_iterator(further.end()));
+OwnFiles drawn(const char* source, const Results& results) {
+  auto [files, failures] = report::page_files(report::page_source(source), results,
+                                              {{"machine-sketch", embedded::machine_sketch}});
+  std::erase_if(files, [](const auto& file) { return file.first.ends_with(".csv"); });
+  return {std::move(files), std::move(failures)};
 }
 
 }  // namespace
 
-Front front_of(const std::vector<FoundReport>& reports) {
-  Front front;
+Results site_results(const std::vector<FoundReport>& reports) {
+  Results site;
+  site.open = true;
+  ricochet::Table table{"reports",
+                        {{"label"},
+                         {"folder"},
+                         {"finding"},
+                         {"date"},
+                         {"command"},
+                         {"version"},
+                         {"compiler"},
+                         {"origin"}}};
+  std::string year;
   for (const FoundReport& report : reports) {
-    front.cards.push_back(card_of(report));
-    if (!report.headline) continue;
-    add_excerpts(*report.headline, report.folder, front);
-    for (const FoundPage& page : report.pages) {
-      if (page.headline) add_excerpts(*page.headline, report.folder + "/" + page.folder, front);
-    }
-    if (!front.motion && holds(report.headline, "simulations") &&
-        !report.headline->charts.empty()) {
-      front.motion = FrontCharts{report.folder, report.headline->charts};
-    }
+    const bool first = std::ranges::none_of(reports, [&](const FoundReport& other) {
+      return &other < &report && other.kind.name == report.kind.name;
+    });
+    if (first) add_report(report, site);
+    const Made& made = report.made;
+    table.add(label_of(report), report.folder,
+              report.headline ? report.headline->finding : other_version, made.date,
+              report.headline && !report.headline->command.empty() ? report.headline->command
+                                                                   : report.kind.command,
+              made.version, made.compiler, made.reference ? value_of("of the reference") : Value());
+    if (made.date) year = std::max(year, made.date->substr(0, 4));
   }
-  read_machines(reports, front);
-  read_comparison(reports, front);
-  add_answers(reports, front);
+  ricochet::Table missing{"missing", {{"label"}, {"command"}, {"question"}}};
   for (const report::ReportKind& kind : report::report_kinds()) {
     const bool there = std::ranges::any_of(
         reports, [&](const FoundReport& report) { return report.kind.name == kind.name; });
-    if (!there) front.missing.push_back(kind);
+    if (!there) missing.add(kind.label, kind.command, kind.question);
   }
-  return front;
+  site.add(std::move(table));
+  site.add(std::move(missing));
+  site.set("bibtex", bibtex(year));
+  site.set("citation", embedded::citation);
+  return site;
 }
 
-namespace {
-
-using report::Chart;
-using report::Mark;
-using report::Sample;
-using report::Scale;
-using report::Series;
-
-constexpr int width = 520, height = 360;
-
-/// Returns true if another sample dominates this one.
-bool is_beaten(const Sample& sample, const std::vector<Sample>& all) {
-  return std::any_of(all.begin(), all.end(), [&](const Sample& other) {
-    return other.position <= sample.position && *other.value >= *sample.value &&
-           (other.position < sample.position || *other.value > *sample.value);
-  });
+OwnFiles front_page(const Results& site) {
+  OwnFiles page = drawn(embedded::page_front, site);
+  Results own;  // what the page has of its own
+  own.add(*site.table("reports"));
+  own.add(*site.table("missing"));
+  report::Json data = {{"report", "site"}};
+  data.update(json_of(own));
+  page.files["data.json"] = report::json_text(data);
+  return page;
 }
 
-/// The kind of a solver; nothing if the data have none.
-std::string kind_in(const Comparison& comparison, const std::string& solver) {
-  const auto kind = comparison.kinds.find(solver);
-  return kind == comparison.kinds.end() ? "" : kind->second;
+OwnFiles cite_page(const Results& site) {
+  return drawn(embedded::page_cite, site);
 }
 
-/// The entries of one family with its largest budget, by kind. Those on the Pareto front have
-/// names, and those that always have.
-Chart entries_chart(const Comparison& comparison, std::size_t family) {
-  double budget = 0;
-  for (const Entry& entry : comparison.entries) {
-    if (entry.family == family) budget = std::max(budget, entry.budget);
+std::string live_page(const std::string& navigation) {
+  std::string scripts;
+  for (const char* script :
+       {embedded::live_state, embedded::live_workers, embedded::live_charts, embedded::live_picture,
+        embedded::live_window_charts, embedded::live_map_chart, embedded::live_race,
+        embedded::live_controls, embedded::live_sentences, embedded::live_page_script}) {
+    scripts += script;
   }
-  Chart chart{.name = "front-speed-accuracy",
-              .title = "",
-              .x = {"evaluations for each variable", Scale::logarithmic},
-              .y = {"success rate [%]", Scale::linear, report::Range{0, 100}},
-              .width = width,
-              .height = height};
-  std::vector<const Entry*> shown;
-  std::vector<Sample> places;
-  for (const Entry& entry : comparison.entries) {
-    const bool fits = entry.family == family && entry.budget == budget && entry.complete;
-    if (!fits || entry.evaluations.value_or(0) <= 0 || !entry.solved) continue;
-    shown.push_back(&entry);
-    places.push_back({*entry.evaluations, 100 * *entry.solved});
-  }
-  std::map<std::string, Series> kinds;
-  const Entry* best = nullptr;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const Entry& entry = *shown[i];
-    const std::string kind = kind_in(comparison, entry.solver);
-    Series& series = kinds.try_emplace(kind, Series{kind, Mark::points, {}}).first->second;
-    const bool named = !is_beaten(places[i], places) ||
-                       std::ranges::find(always_named, entry.solver) != std::end(always_named);
-    series.samples.push_back(places[i]);
-    if (named) series.samples.back().name = entry.solver;
-    if (best == nullptr || *entry.solved > *best->solved) best = &entry;
-  }
-  for (auto& [kind, series] : kinds) chart.series.push_back(std::move(series));
-  if (best != nullptr) {
-    chart.title = fmt::format("{}: {} solves most, {:.0f} % in {:.3g} evaluations a variable",
-                              comparison.families[family].name, best->solver, 100 * *best->solved,
-                              *best->evaluations);
-  }
-  return chart;
-}
-
-}  // namespace
-
-std::vector<Chart> front_charts(const Front& front) {
-  std::vector<Chart> charts;
-  if (front.comparison && !front.comparison->families.empty()) {
-    charts.push_back(entries_chart(*front.comparison, 0));
-  }
-  if (front.motion) {
-    Chart& chart = charts.emplace_back(front.motion->charts.front());
-    chart.name = "front-" + chart.name;
-    chart.width = width;
-    chart.height = height;
-  }
-  std::erase_if(charts, [](const Chart& chart) { return chart.series.empty(); });
-  return charts;
-}
-
-Chart pairs_chart(const Pairs& pairs) {
-  const std::vector<Pair> all = all_pairs(pairs), front = leading(within_range(pairs));
-  Chart chart{
-      .name = "front-solver-and-simulation",
-      .title = title_of(pairs),
-      .x = {"processor time to the threshold, with the fastest solver [s]", Scale::logarithmic},
-      .y = {"error of the threshold, at most [rad/s]", Scale::logarithmic},
-      .width = 780,
-      .height = 420,
-      .description = finding_of(pairs)};
-  Series line{.label = "none is as fast and as accurate", .mark = Mark::steps, .samples = {}};
-  for (const Pair& pair : front) line.samples.push_back({pair.seconds, pair.error});
-  if (front.size() > 1) chart.series.push_back(std::move(line));
-  for (std::size_t m = 0; m < pairs.simulations.size(); ++m) {
-    const std::string& name = pairs.simulations[m].simulation;
-    if (m == 0 || pairs.simulations[m - 1].simulation != name) {
-      chart.series.push_back({.label = name, .mark = Mark::points, .samples = {}});
-    }
-    const Pair* fastest = nullptr;
-    for (const Pair& pair : all) {
-      if (pair.simulation != m) continue;
-      if (fastest == nullptr || pair.seconds < fastest->seconds) fastest = &pair;
-    }
-    const bool leads =
-        std::ranges::any_of(front, [&](const Pair& pair) { return pair.simulation == m; });
-    Sample dot{fastest->seconds, fastest->error};
-    if (leads) dot.name = name_of(pairs, *fastest);
-    chart.series.back().samples.push_back(std::move(dot));
-  }
-  return chart;
+  const Json page = {{"navigation", navigation},
+                     {"look", embedded::look},
+                     {"live_look", embedded::live_look},
+                     {"default_machine", embedded::live_default_machine},
+                     {"module", embedded::live_module},
+                     {"machine_script", embedded::live_machine},
+                     {"scripts", scripts}};
+  return report::filled(embedded::live_template, {&page});
 }
 
 }  // namespace ricochet::site

@@ -28,10 +28,10 @@
 #include "src/report/page.h"
 #include "src/report/report.h"
 #include "src/report/site/front.h"
-#include "src/report/site/front_answers.h"
 #include "src/report/site/machine_page.h"
 #include "src/report/site/markdown.h"
 #include "src/report/site/navigation.h"
+#include "src/report/site/paper_machines.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -41,6 +41,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* data_file = "data.json";
+constexpr const char* cite_folder = "cite";
 constexpr const char* live_folder = "live";  ///< of the machine that runs in a browser
 
 /// Removes dots and a trailing slash, so that the path has a name and a parent.
@@ -49,51 +50,35 @@ fs::path plain(const fs::path& folder) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Puts the answer about the paper's algorithm, which a comparison gives, into the reports about
-/// it.
-void tell_of_paper_algorithm(const fs::path& folder, const std::vector<FoundReport>& reports,
-                             const Front& front) {
-  if (!front.comparison) return;
-  const auto answer = paper_algorithm(*largest_comparison(reports));
-  if (!answer) return;
-  const std::string html = "<p>" + report::escape_html(answer->text) + "</p>\n";
-  for (const FoundReport& report : reports) {
-    if (report.kind.name == "fireworks") {
-      put_at(folder / report.folder / "index.html", "comparison", html);
-    }
-  }
-}
-
 /// Writes the pages that are no report. Returns the places of all pages.
 std::vector<Place> written_places(const fs::path& folder, const std::vector<FoundReport>& reports,
-                                  const Front& front, std::vector<std::string>& failures) {
+                                  const report::Results& site, std::vector<std::string>& failures) {
   std::vector<OwnPage> pages;
-  if (front.machines) pages.push_back(machine_page(*front.machines, reports));
-  pages.push_back(cite_page(reports, front.comparison ? largest_comparison(reports) : nullptr));
+  if (const auto machines = paper_machines(reports)) {
+    pages.push_back(machine_page(*machines, reports));
+  }
   std::vector<Place> own = write_own_pages(folder, pages, failures);
+  const OwnFiles cite = cite_page(site);
+  report::replace_files(below(folder, cite_folder), cite.files);
+  own.push_back({"Data", "Cite and repeat", cite_folder});
   own.push_back({"Machine", "Live machine", live_folder});
   own.push_back(write_docs_pages(folder, reports));
   return places_of(reports, own);
 }
 
-struct WrittenSite {
-  std::vector<std::string> undrawn;                         ///< a line for each chart
-  std::vector<std::pair<std::string, std::string>> unread;  ///< see Front
-};
-
-WrittenSite written_site(const fs::path& folder) {
+std::vector<std::string> written_site(const fs::path& folder) {
   const std::vector<FoundReport> reports = found_reports(folder);
-  Front front = front_of(reports);
+  const report::Results site = site_results(reports);
   std::vector<std::string> failures;
-  const std::vector<Place> places = written_places(folder, reports, front, failures);
-  FrontPage page = front_page(front, navigation(places, ""));
-  report::replace_files(folder, page.files);
+  const std::vector<Place> places = written_places(folder, reports, site, failures);
+  OwnFiles front = front_page(site);
+  report::replace_files(folder, front.files);
   report::add_files(below(folder, live_folder),
                     {{"index.html", live_page(navigation(places, live_folder))}});
+  put_at(folder / "index.html", "navigation", navigation(places, ""));
   link_pages(folder, places, reports);
-  tell_of_paper_algorithm(folder, reports, front);
-  failures.insert(failures.end(), page.failures.begin(), page.failures.end());
-  return {std::move(failures), std::move(front.unread)};
+  failures.insert(failures.end(), front.failures.begin(), front.failures.end());
+  return failures;
 }
 
 }  // namespace
@@ -108,7 +93,7 @@ bool is_site(const fs::path& folder) {
 }
 
 std::vector<std::string> write_site(const fs::path& folder) {
-  return written_site(folder).undrawn;
+  return written_site(folder);
 }
 
 std::vector<std::string> write_site_above(const fs::path& report) {
@@ -137,12 +122,7 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
     ricochet::report::add_files(below(folder, report),
                                 {{data_file, text_of_file(from / report / data_file)}});
   }
-  const WrittenSite front = written_site(folder);
-  for (const auto& [report, reason] : front.unread) {
-    failures.push_back((from / report / data_file).string() +
-                       ": must be the data of a report: " + reason);
-  }
-  for (const std::string& line : front.undrawn) {
+  for (const std::string& line : written_site(folder)) {
     failures.push_back((folder / data_file).string() + ": " + line);
   }
   return failures;

@@ -14,10 +14,8 @@
 namespace ricochet::studies::comparison {
 namespace {
 
-using report::Json;
-
 /// A run of 100 evaluations that returned a solving point, first evaluated after so many, or none.
-Outcome run_of(std::optional<std::int64_t> solved, const std::string& reason) {
+Outcome ending_run(std::optional<std::int64_t> solved, const std::string& reason) {
   Outcome outcome;
   outcome.evaluations = 100;
   outcome.seconds = 1;
@@ -32,14 +30,14 @@ Outcome run_of(std::optional<std::int64_t> solved, const std::string& reason) {
 
 /// On bowls of 1, 2 and 8 variables: chance-a solves one of two runs of the first, after 10, and
 /// both of the second, after 40; chance-b both of the first, after 50; luck and all others nothing.
-Json pages() {
+report::Results pages() {
   const Campaign campaign(plan_from("[[part]]\nproblems = \"bowl-[128]\"\nsolvers = \"*\"\nbudgets "
                                     "= [5, 100]\ninstances = 2\n",
                                     "test"),
                           made_up_catalogue());
   const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
     const auto both = [](std::optional<std::int64_t> first, std::optional<std::int64_t> second) {
-      return std::vector{run_of(first, "short"), run_of(second, first ? "short" : "spent")};
+      return std::vector{ending_run(first, "short"), ending_run(second, first ? "short" : "spent")};
     };
     if (cell.cell.budget == 5) return both({}, {});
     const std::string& problem = cell.cell.problem;
@@ -49,84 +47,88 @@ Json pages() {
     return both({}, {});
   });
   const auto sets = entry_sets_of(campaign, results, reported_parts(campaign));
-  return solvers_page(campaign, results, sets,
-                      speed_accuracy_data(campaign, sets)["speed_accuracy"]);
+  return solvers_page(campaign, results, sets, speed_accuracy_table(campaign, sets));
 }
 
-Json page_of(const Json& all, const std::string& solver) {
-  for (const Json& page : all["pages"]) {
-    if (page["folder"] == solver) return page["data"];
+report::Results part_of(const report::Results& all, const std::string& solver) {
+  for (const report::Part& part : all.parts.at("solvers")) {
+    if (part.id == solver) return part.results;
   }
   throw std::out_of_range(solver);
 }
 
 TEST(SolverPages, CountProblemsSolvedByTheReturnedPointWithTheLargestBudget) {
-  const Json all = pages();
-  ASSERT_EQ(all["solvers"].size(), 3U);
-  EXPECT_EQ(all["solvers"][0]["solver"], "chance-a");
-  EXPECT_EQ(all["solvers"][0]["solved"], 2);
-  EXPECT_EQ(all["solvers"][0]["problems"], 3);
-  EXPECT_EQ(all["solvers"][0]["families"], 1);
-  EXPECT_EQ(all["solvers"][2]["solved"], 0);
-  EXPECT_EQ(page_of(all, "luck")["unsolved_by_all"], 1);
+  const report::Results all = pages();
+  const Table& solvers = *all.table("solvers");
+  ASSERT_EQ(solvers.rows.size(), 3U);
+  EXPECT_EQ(solvers[0].text("solver"), "chance-a");
+  EXPECT_EQ(solvers[0].number("solved"), 2);
+  EXPECT_EQ(solvers[0].number("problems"), 3);
+  EXPECT_EQ(solvers[0].number("families"), 1);
+  EXPECT_EQ(solvers[0].text("fronts"), "bowl");
+  EXPECT_EQ(solvers[2].number("solved"), 0);
+  EXPECT_EQ(solvers[2].text("fronts"), "");
+  EXPECT_EQ(*part_of(all, "luck").value("summary"),
+            Value("It solved 0 of the 3 problems that it takes, each in at least one run; 1 of the "
+                  "others no solver did. It is on no family's Pareto front of speed and accuracy."));
 }
 
 TEST(SolverPages, HaveSuccessRateAndRunningTimeOfEachFamily) {
-  const Json row = page_of(pages(), "chance-a")["families"].at(0);
-  EXPECT_EQ(row["family"], "bowl");
-  EXPECT_DOUBLE_EQ(row["share"].get<double>(), 0.5);
+  const report::Results part = part_of(pages(), "chance-a");
+  const Row row = (*part.table("families"))[0];
+  EXPECT_EQ(row.text("family"), "bowl");
+  EXPECT_DOUBLE_EQ(row.number("share"), 0.5);
   // (10 + 100) / 1 of one variable, as a run in two solved; 40 / 2 of two: the mean is geometric.
-  EXPECT_NEAR(row["running_time"].get<double>(), std::sqrt(110.0 * 20.0), 1e-9);
-  EXPECT_EQ(row["solved"], 2);
-  EXPECT_TRUE(page_of(pages(), "luck")["families"][0]["running_time"].is_null());
-}
-
-TEST(SolverPages, SayWhoIsAheadWhereTheSolverIsNotOnTheFront) {
-  const Json all = pages();
-  EXPECT_EQ(page_of(all, "chance-a")["fronts"], Json{"bowl"});
-  EXPECT_TRUE(page_of(all, "chance-a")["families"][0]["ahead"].is_null());
-  EXPECT_EQ(page_of(all, "luck")["fronts"], Json::array());
-  EXPECT_EQ(page_of(all, "luck")["families"][0]["ahead"], "chance-a");
+  EXPECT_NEAR(row.number("running_time"), std::sqrt(110.0 * 20.0), 1e-9);
+  EXPECT_EQ(row.number("solved"), 2);
+  EXPECT_EQ(row.text("front"), "on the front, also by time");
+  const report::Results luck = part_of(pages(), "luck");
+  EXPECT_TRUE(is_missing((*luck.table("families"))[0]["running_time"]));
+  EXPECT_EQ((*luck.table("families"))[0].text("front"), "chance-a 50 %");
 }
 
 TEST(SolverPages, NameTheProblemOfAFamilyOnWhichAnotherSolvedMostMore) {
-  const Json all = pages();
-  const Json b = page_of(all, "chance-b")["failed"];
-  ASSERT_EQ(b.size(), 1U);
-  EXPECT_EQ(b[0]["problem"], "bowl-2");
-  EXPECT_EQ(b[0]["share"], 0);
-  EXPECT_EQ(b[0]["behind"], 1);
-  EXPECT_EQ(b[0]["of"], 3);
-  EXPECT_EQ(b[0]["best"], "chance-a");
-  EXPECT_EQ(b[0]["best_share"], 1);
-  const Json a = page_of(all, "chance-a")["failed"];
-  ASSERT_EQ(a.size(), 1U);
-  EXPECT_EQ(a[0]["problem"], "bowl-1");
-  EXPECT_EQ(a[0]["share"], 0.5);
+  const report::Results all = pages(), of_b = part_of(all, "chance-b");
+  const Table& b = *of_b.table("failed");
+  ASSERT_EQ(b.rows.size(), 1U);
+  EXPECT_EQ(b[0].text("problem"), "bowl-2");
+  EXPECT_EQ(b[0].number("share"), 0);
+  EXPECT_EQ(b[0].number("behind"), 1);
+  EXPECT_EQ(b[0].number("of"), 3);
+  EXPECT_EQ(b[0].text("best"), "chance-a");
+  EXPECT_EQ(b[0].number("best_share"), 1);
+  const report::Results of_a = part_of(all, "chance-a");
+  const Table& a = *of_a.table("failed");
+  ASSERT_EQ(a.rows.size(), 1U);
+  EXPECT_EQ(a[0].text("problem"), "bowl-1");
+  EXPECT_EQ(a[0].number("share"), 0.5);
 }
 
 TEST(SolverPages, CountTerminationReasonsOfAllRuns) {
-  const Json reasons = page_of(pages(), "luck")["terminations"];
-  ASSERT_EQ(reasons.size(), 2U);
-  EXPECT_EQ(reasons[0]["times"].get<int>() + reasons[1]["times"].get<int>(), 12);
-  EXPECT_EQ(reasons[0]["times"], 6);
-  EXPECT_EQ(reasons[0]["share"], 0.5);
-  const Json of_a = page_of(pages(), "chance-a")["terminations"];
-  EXPECT_EQ(of_a[0], (Json{{"reason", "short"}, {"times", 8}, {"share", 8 / 12.0}}));
+  const report::Results luck = part_of(pages(), "luck");
+  const Table& reasons = *luck.table("terminations");
+  ASSERT_EQ(reasons.rows.size(), 2U);
+  EXPECT_EQ(reasons[0].number("times"), 6);
+  EXPECT_EQ(reasons[1].number("times"), 6);
+  EXPECT_EQ(reasons[0].number("share"), 0.5);
+  const report::Results of_a = part_of(pages(), "chance-a");
+  const Row first = (*of_a.table("terminations"))[0];
+  EXPECT_EQ(first.text("reason"), "short");
+  EXPECT_EQ(first.number("times"), 8);
 }
 
 TEST(SolverPages, NameTheSolversOfALibraryThatIsOld) {
   std::vector<Solver> solvers = {chance("mads"), chance("ipopt"), chance("ipopt-tuned")};
-  EXPECT_EQ(library_notes(solvers), Json::array());
+  EXPECT_TRUE(library_notes(solvers).rows.empty());
   solvers[1].version = solvers[2].version = "Ipopt 3.11.9";
-  const Json notes = library_notes(solvers);
-  ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0]["version"], "Ipopt 3.11.9");
-  EXPECT_EQ(notes[0]["solvers"], (Json{"ipopt", "ipopt-tuned"}));
+  const Table notes = library_notes(solvers);
+  ASSERT_EQ(notes.rows.size(), 1U);
+  EXPECT_EQ(notes[0].text("version"), "Ipopt 3.11.9");
+  EXPECT_EQ(notes[0].text("solvers"), "ipopt, ipopt-tuned");
 }
 
 TEST(SolverPages, HaveNoSettingsOfSolversThatTheSuiteDoesNotKnow) {
-  EXPECT_TRUE(page_of(pages(), "luck")["settings"].is_null());
+  EXPECT_TRUE(is_missing(*part_of(pages(), "luck").value("settings")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "src/analysis/comparison/view.h"
@@ -8,8 +9,6 @@
 
 namespace ricochet::studies::comparison {
 namespace {
-
-using report::Json;
 
 /// A run that solved after so many evaluations, or spent 90.
 Outcome run_after(std::int64_t solved) {
@@ -22,7 +21,7 @@ Outcome run_after(std::int64_t solved) {
   return outcome;
 }
 
-Json view_of(const std::string& plan) {
+report::Results view_of(const std::string& plan) {
   const Campaign campaign(plan_from(plan, "test"), made_up_catalogue());
   const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
     std::vector<Outcome> runs;
@@ -32,7 +31,7 @@ Json view_of(const std::string& plan) {
     return runs;
   });
   const auto parts = reported_parts(campaign);
-  return view_data(campaign, results, parts, entry_sets_of(campaign, results, parts),
+  return view_page(campaign, results, parts, entry_sets_of(campaign, results, parts),
                    {campaign.solvers().front()});
 }
 
@@ -41,59 +40,67 @@ const std::string two_bowls =
     "budgets = [100]\ninstances = 2\n";
 
 TEST(ViewData, HasEveryRunOfAnEntryAndItsNames) {
-  const Json view = view_of(two_bowls)["view"];
-  ASSERT_EQ(view["entries"].size(), 2U);
-  const Json& entry = view["entries"][1];
-  EXPECT_EQ(view["solvers"][0]["outside"], false);
-  EXPECT_EQ(view["solvers"][1]["solver"], "chance-b");
-  EXPECT_EQ(view["solvers"][1]["outside"], true) << "none of those that are known";
-  EXPECT_EQ(entry["solver"], 1);
-  EXPECT_EQ(entry["budget"], 100);
-  EXPECT_EQ(entry["instances"], 2);
-  EXPECT_EQ(entry["problems"], "") << "it takes all";
-  EXPECT_EQ(view["first_instance"], 1);
-  const Json& problems = view["problems"];
-  ASSERT_EQ(problems.size(), 2U);
-  EXPECT_EQ(problems[0]["problem"], "bowl-1");
+  const report::Results view = view_of(two_bowls);
+  const Table& entries = *view.table("view-entries");
+  ASSERT_EQ(entries.rows.size(), 2U);
+  const Row entry = entries[1];
+  const Table& solvers = *view.table("view-solvers");
+  EXPECT_EQ(solvers[0]["outside"], Value(false));
+  EXPECT_EQ(solvers[1].text("solver"), "chance-b");
+  EXPECT_EQ(solvers[1]["outside"], Value(true)) << "none of those that are known";
+  EXPECT_EQ(entry.number("solver"), 1);
+  EXPECT_EQ(entry.number("budget"), 100);
+  EXPECT_EQ(entry.number("instances"), 2);
+  EXPECT_EQ(entry.text("problems"), "") << "it takes all";
+  EXPECT_EQ(*view.value("first_instance"), Value(std::int64_t{1}));
+  const Table& problems = *view.table("view-problems");
+  ASSERT_EQ(problems.rows.size(), 2U);
+  EXPECT_EQ(problems[0].text("problem"), "bowl-1");
   // Two runs that miss nothing, then two that miss all targets, of which each left 10 or 110.
-  EXPECT_EQ(entry["missing"].get<std::string>().substr(0, 2), "AA");
-  EXPECT_EQ(entry["times"], "BAACAA");
-  EXPECT_EQ(entry["spent"].get<std::string>().front(), 'A');
-  EXPECT_EQ(entry["repeats"], "D") << "the last run is the one before it again";
+  EXPECT_EQ(entry.text("missing").substr(0, 2), "AA");
+  EXPECT_EQ(entry.text("times"), "BAACAA");
+  EXPECT_EQ(entry.text("spent").front(), 'A');
+  EXPECT_EQ(entry.text("repeats"), "D") << "the last run is the one before it again";
   // On bowl-2 each run equals that of the entry before it: 1, in two bits, twice.
-  EXPECT_EQ(view["orders"], Json({"F"}));
+  const Table& orders = *view.table("view-orders");
+  ASSERT_EQ(orders.rows.size(), 1U);
+  EXPECT_EQ(orders[0].text("order"), "F");
 }
 
 TEST(ViewData, SaysWhichProblemsAnEntryTakesIfNotAll) {
-  const Json view = view_of(two_bowls +
-                            "[[part]]\nname = \"more\"\nproblems = [\"bowl-1\", \"bowl-2\"]\n"
-                            "solvers = [\"chance-a\"]\nbudgets = [10]\ninstances = 1\n"
-                            "[[part]]\nname = \"again\"\nproblems = [\"bowl-2\"]\n"
-                            "solvers = [\"chance-b\"]\nbudgets = [10]\ninstances = 1\n")["view"];
-  ASSERT_EQ(view["families"].size(), 3U);
-  EXPECT_EQ(view["families"][0]["family"], "bowl");
-  EXPECT_EQ(view["families"][1]["family"], "bowl-more");
-  EXPECT_EQ(view["families"][2]["problems"], Json({1}));
-  const Json mixed = view_of(
+  const report::Results view =
+      view_of(two_bowls +
+              "[[part]]\nname = \"more\"\nproblems = [\"bowl-1\", \"bowl-2\"]\n"
+              "solvers = [\"chance-a\"]\nbudgets = [10]\ninstances = 1\n"
+              "[[part]]\nname = \"again\"\nproblems = [\"bowl-2\"]\n"
+              "solvers = [\"chance-b\"]\nbudgets = [10]\ninstances = 1\n");
+  const Table& families = *view.table("view-families");
+  ASSERT_EQ(families.rows.size(), 3U);
+  EXPECT_EQ(families[0].text("family"), "bowl");
+  EXPECT_EQ(families[0].text("problems"), "0 1");
+  EXPECT_EQ(families[1].text("family"), "bowl-more");
+  EXPECT_EQ(families[2].text("problems"), "1");
+  const report::Results mixed = view_of(
       "[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = [\"chance-a\"]\n"
       "budgets = [10]\ninstances = 1\n"
       "[[part]]\nname = \"b\"\nproblems = [\"bowl-2\"]\nsolvers = [\"*\"]\n"
-      "budgets = [10]\ninstances = 2\n")["view"];
+      "budgets = [10]\ninstances = 2\n");
   std::string taken;
-  for (const Json& entry : mixed["entries"]) {
-    if (entry["family"] == 0) taken += entry["problems"].get<std::string>() + ";";
-  }
+  each_row(*mixed.table("view-entries"), [&](const Row& entry) {
+    if (entry.number("family") == 0) taken += entry.text("problems") + ";";
+  });
   EXPECT_EQ(taken, "10;01;") << "runs of other numbers are other entries";
 }
 
 TEST(ViewData, TellsTheReaderWhatThereIs) {
-  const Json rows = view_of(two_bowls)["families"];
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0]["family"], "bowl");
-  EXPECT_EQ(rows[0]["problems"], 2);
-  EXPECT_EQ(rows[0]["entries"], 2);
-  EXPECT_EQ(rows[0]["runs"], 8);
-  EXPECT_EQ(rows[0]["budgets"], "100");
+  const report::Results view = view_of(two_bowls);
+  const Table& rows = *view.table("families");
+  ASSERT_EQ(rows.rows.size(), 1U);
+  EXPECT_EQ(rows[0].text("family"), "bowl");
+  EXPECT_EQ(rows[0].number("problems"), 2);
+  EXPECT_EQ(rows[0].number("entries"), 2);
+  EXPECT_EQ(rows[0].number("runs"), 8);
+  EXPECT_EQ(rows[0].text("budgets"), "100");
 }
 
 }  // namespace

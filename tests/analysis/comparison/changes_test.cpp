@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/stored_campaign.h"
@@ -12,8 +13,6 @@
 
 namespace ricochet::studies::comparison {
 namespace {
-
-using report::Json;
 
 /// Stays at a point, the further from the best one the higher its number, or, where it does not
 /// rise, the lower; the nearest of six solves the problem.
@@ -33,11 +32,11 @@ Solver walker(int number, bool (*rises)(const std::string& problem)) {
 class Changes : public TemporaryFolder {
  protected:
   /// What the report says of the runs of this plan.
-  Json data_of(const std::string& plan, const Catalogue& catalogue) const {
+  Table changes_of(const std::string& plan, const Catalogue& catalogue) const {
     const Campaign campaign = searched_campaign(plan_from(plan, "test"), catalogue);
     Store store = Store::create(folder_ / "runs.sqlite", campaign.description());
     make_runs(campaign, {}, store);
-    return change_data(campaign, cell_results(campaign, store), reported_parts(campaign));
+    return change_table(campaign, cell_results(campaign, store), reported_parts(campaign));
   }
 };
 
@@ -64,48 +63,47 @@ TEST_F(Changes, OfTheFidelityTurnTheOrderOver) {
     }
     return problems;
   };
-  const Json rows = data_of(
+  const Table rows = changes_of(
       "[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
       "machines = {around = \"C1\", fidelity = [\"impact\", \"compliant\", \"planar\"]}",
       catalogue);
-  ASSERT_EQ(rows.size(), 3U) << "the restitution is the same everywhere\n" << rows;
-  for (const Json& row : rows) {
-    EXPECT_EQ(row["changed"], "fidelity");
-    EXPECT_EQ(row["family"], "bowl");
-    EXPECT_EQ(row["entries"], 6);
-  }
-  EXPECT_EQ(rows[0]["setting"], "impact");
-  EXPECT_EQ(rows[0]["leader"], "walker-1, original");
-  EXPECT_TRUE(rows[0]["agreement"].is_null());
-  EXPECT_EQ(rows[1]["setting"], "compliant");
-  EXPECT_EQ(rows[1]["agreement"]["correlation"], 1);
-  EXPECT_EQ(rows[1]["same_leader"], true);
-  EXPECT_EQ(rows[2]["setting"], "planar");
-  EXPECT_EQ(rows[2]["agreement"]["correlation"], -1);
-  EXPECT_EQ(rows[2]["leader"], "walker-6, original");
-  EXPECT_EQ(rows[2]["same_leader"], false);
-  EXPECT_TRUE(rows[2]["best"].is_null()) << "one problem a level";
-  EXPECT_EQ(rows[2]["problems"], 1);
-  EXPECT_EQ(rows[2]["agreement"]["solvers"], 6);
+  ASSERT_EQ(rows.rows.size(), 3U) << "the restitution is the same everywhere";
+  each_row(rows, [](const Row& row) {
+    EXPECT_EQ(row.text("changed"), "fidelity");
+    EXPECT_EQ(row.text("family"), "bowl");
+    EXPECT_EQ(row.number("entries"), 6);
+  });
+  EXPECT_EQ(rows[0].text("setting"), "impact");
+  EXPECT_EQ(rows[0].text("first"), "walker-1, original");
+  EXPECT_TRUE(is_missing(rows[0]["correlation"]));
+  EXPECT_EQ(rows[1].text("setting"), "compliant");
+  EXPECT_EQ(rows[1].number("correlation"), 1);
+  EXPECT_EQ(rows[1].is("same"), true);
+  EXPECT_EQ(rows[2].text("setting"), "planar");
+  EXPECT_EQ(rows[2].number("correlation"), -1);
+  EXPECT_EQ(rows[2].text("first"), "walker-6, original");
+  EXPECT_EQ(rows[2].is("same"), false);
+  EXPECT_TRUE(is_missing(rows[2]["best"])) << "one problem a level";
+  EXPECT_EQ(rows[2].number("problems"), 1);
 }
 
 TEST_F(Changes, OfSmoothingAndPriceAreComparedWithTheUsualOnes) {
-  const Json rows = data_of(
+  const Table rows = changes_of(
       "[[part]]\nproblems = \"cup-s\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
       "smoothings = [0.125, 1]\nformulations = \"surrogate*\"\ngradient_prices = [0, \"n\"]",
       catalogue_of([](const std::string&) { return true; }));
   std::vector<std::string> said;
-  for (const Json& row : rows) {
-    said.push_back(row["changed"].get<std::string>() + " " + row["setting"].get<std::string>());
-    EXPECT_EQ(row["same_leader"], true) << row;
-  }
+  each_row(rows, [&](const Row& row) {
+    said.push_back(row.text("changed") + " " + row.text("setting"));
+    EXPECT_TRUE(row.is("same")) << said.back();
+  });
   EXPECT_EQ(said,
             (std::vector<std::string>{
                 "price of a gradient n", "price of a gradient 0", "smoothing of the surrogate 0.5",
                 "smoothing of the surrogate 0.125", "smoothing of the surrogate 1"}));
-  EXPECT_EQ(rows[3]["entries"], 6) << "those that are shown this smoothing alone";
-  EXPECT_EQ(rows[3]["leader"], "walker-1");
-  EXPECT_EQ(rows[3]["agreement"]["correlation"], 1);
+  EXPECT_EQ(rows[3].number("entries"), 6) << "those that are shown this smoothing alone";
+  EXPECT_EQ(rows[3].text("first"), "walker-1");
+  EXPECT_EQ(rows[3].number("correlation"), 1);
 }
 
 TEST(LevelName, IsThatOfTheFidelity) {

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the value that a word stands for; the first value if the word is missing.
 template <class Value>
-Value chosen(const Part& part, std::string_view key, const Scopes& scopes,
+Value chosen(const TemplatePart& part, std::string_view key, const Scopes& scopes,
              std::initializer_list<std::pair<std::string_view, Value>> words) {
   if (!part.has(key)) return words.begin()->second;
   const std::string text = part.filled_text(key, scopes);
@@ -36,7 +36,7 @@ std::optional<Range> range_between(const std::optional<double>& lower,
   return Range{*lower, *upper};
 }
 
-std::optional<Range> range_of(const Part& part, const Scopes& scopes) {
+std::optional<Range> range_of(const TemplatePart& part, const Scopes& scopes) {
   const toml::array* ends = part.list("range");
   if (ends == nullptr) return std::nullopt;
   if (ends->size() != 2) throw std::logic_error("a template's range must have two ends");
@@ -44,7 +44,7 @@ std::optional<Range> range_of(const Part& part, const Scopes& scopes) {
 }
 
 /// The scopes of each category of an axis, in the order of the axis.
-std::vector<Scopes> categories_of(const Part& axis, const Scopes& scopes) {
+std::vector<Scopes> categories_of(const TemplatePart& axis, const Scopes& scopes) {
   std::vector<Scopes> places;
   if (!axis.has("categories")) return places;
   for (const Json& entry : found_in(scopes, axis.text("categories"))) {
@@ -57,7 +57,7 @@ std::vector<Scopes> categories_of(const Part& axis, const Scopes& scopes) {
   return places;
 }
 
-Axis axis_of(const Part& part, const Scopes& scopes) {
+Axis axis_of(const TemplatePart& part, const Scopes& scopes) {
   Axis axis{part.filled_text("label", scopes),
             chosen<Scale>(part, "scale", scopes,
                           {{"linear", Scale::linear}, {"logarithmic", Scale::logarithmic}}),
@@ -74,7 +74,7 @@ bool has_place(const Axis& axis, const std::optional<double>& number) {
   return number && (axis.scale == Scale::linear || *number > 0);
 }
 
-Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
+Series series_of(const TemplatePart& part, const Scopes& scopes, const Chart& chart) {
   Series series{
       part.filled_text("label", scopes),
       chosen<Mark>(part, "mark", scopes,
@@ -118,7 +118,7 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
   return series;
 }
 
-Area area_of(const Part& part, const Scopes& scopes) {
+Area area_of(const TemplatePart& part, const Scopes& scopes) {
   Area area{part.filled_text("label", scopes),
             part.number("shade", scopes),
             {},
@@ -133,7 +133,7 @@ Area area_of(const Part& part, const Scopes& scopes) {
   return area;
 }
 
-HeatMap heat_map_of(const Part& part, const Part& y, const Scopes& scopes) {
+HeatMap heat_map_of(const TemplatePart& part, const TemplatePart& y, const Scopes& scopes) {
   HeatMap map{part.filled_text("label", scopes), {}, range_of(part, scopes)};
   for (const Scopes& row : categories_of(y, scopes)) {
     auto& cells = map.rows.emplace_back();
@@ -147,25 +147,25 @@ HeatMap heat_map_of(const Part& part, const Part& y, const Scopes& scopes) {
 
 }  // namespace
 
-std::string chart_name(const Part& part, const Scopes& scopes) {
+std::string chart_name(const TemplatePart& part, const Scopes& scopes) {
   return stem_of(filled(part.text("name"), scopes));
 }
 
-Chart chart_of(const Part& part, const Scopes& scopes) {
+Chart chart_of(const TemplatePart& part, const Scopes& scopes) {
   Chart chart;
   chart.name = chart_name(part, scopes);
   chart.title = filled(part.text("title"), scopes);
   chart.x = axis_of(part.part("x"), scopes);
   chart.y = axis_of(part.part("y"), scopes);
-  for (const Part& area : part.parts("areas")) {
+  for (const TemplatePart& area : part.parts("areas")) {
     for (const Scopes& place : places_of(area, scopes)) chart.areas.push_back(area_of(area, place));
   }
-  for (const Part& series : part.parts("series")) {
+  for (const TemplatePart& series : part.parts("series")) {
     for (const Scopes& place : places_of(series, scopes)) {
       chart.series.push_back(series_of(series, place, chart));
     }
   }
-  for (const Part& line : part.parts("lines")) {
+  for (const TemplatePart& line : part.parts("lines")) {
     const bool vertical = line.has("vertical");
     for (const Scopes& place : places_of(line, scopes)) {
       const auto position = line.number(vertical ? "vertical" : "horizontal", place);
@@ -187,10 +187,10 @@ Chart chart_of(const Part& part, const Scopes& scopes) {
   return chart;
 }
 
-CellLinks cell_links_of(const Part& part, const Scopes& scopes) {
+CellLinks cell_links_of(const TemplatePart& part, const Scopes& scopes) {
   CellLinks links;
   if (!part.has("heat_map") || !part.part("heat_map").has("row_link")) return links;
-  const Part map = part.part("heat_map");
+  const TemplatePart map = part.part("heat_map");
   for (const Scopes& row : categories_of(part.part("y"), scopes)) {
     links.rows.push_back(map.filled_text("row_link", row));
   }
@@ -204,7 +204,7 @@ namespace {
 
 /// One column of the page; a column of the template may produce several.
 struct PlacedColumn {
-  const Part* part;
+  const TemplatePart* part;
   std::size_t entry;  ///< index in the list that repeats it
   Scopes scopes;      ///< with that entry
 };
@@ -225,11 +225,11 @@ Cell cell_of(const PlacedColumn& column, const Json& row) {
 
 }  // namespace
 
-Table table_of(const Part& part, const Scopes& scopes) {
+Table table_of(const TemplatePart& part, const Scopes& scopes) {
   Table table{filled(part.text("caption"), scopes), {}, {}};
-  const std::vector<Part> columns = part.parts("columns");
+  const std::vector<TemplatePart> columns = part.parts("columns");
   std::vector<PlacedColumn> placed;
-  for (const Part& column : columns) {
+  for (const TemplatePart& column : columns) {
     const std::vector<Scopes> places = places_of(column, scopes);
     for (std::size_t i = 0; i < places.size(); ++i) {
       table.columns.push_back({filled(column.text("title"), places[i]),

@@ -71,7 +71,7 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
-void say(pugi::xml_node element, const char* name, const std::string& value) {
+void put_attribute(pugi::xml_node element, const char* name, const std::string& value) {
   element.append_attribute(name) = value.c_str();
 }
 
@@ -101,14 +101,14 @@ class Arranger {
     if (is(node, "h2")) {
       open_ = {main_.append_child("section")};
       const std::string id = anchor_of(text_of(node));
-      say(open_.back(), "id", id);
-      say(open_.back(), "aria-labelledby", id + "-heading");
-      say(open_.back().append_move(node), "id", id + "-heading");
+      put_attribute(open_.back(), "id", id);
+      put_attribute(open_.back(), "aria-labelledby", id + "-heading");
+      put_attribute(open_.back().append_move(node), "id", id + "-heading");
       return;
     }
     const pugi::xml_node moved = open_.back().append_move(node);
     if (is_heading(moved) && !is(moved, "h1") && !in_part())
-      say(moved, "id", anchor_of(text_of(moved)));
+      put_attribute(moved, "id", anchor_of(text_of(moved)));
   }
 
   bool in_part() const {
@@ -118,16 +118,16 @@ class Arranger {
   void take_comment(const pugi::xml_node& comment) {
     if (const auto label = said_after(comment, "choose:"); !label.empty()) {
       pugi::xml_node choices = open_.back().append_child("div");
-      say(choices, "class", "choices");
-      say(choices, "data-label", label);
+      put_attribute(choices, "class", "choices");
+      put_attribute(choices, "data-label", label);
       open_.push_back(choices);
     } else if (const auto part = said_after(comment, "part:"); !part.empty()) {
       if (in_part()) open_.pop_back();
       pugi::xml_node choice = open_.back().append_child("div");
       const std::size_t blank = part.find(' ');
-      say(choice, "class", "choice");
-      say(choice, "id", part.substr(0, blank));
-      say(choice, "data-title", part.substr(blank + 1));
+      put_attribute(choice, "class", "choice");
+      put_attribute(choice, "id", part.substr(0, blank));
+      put_attribute(choice, "data-title", part.substr(blank + 1));
       open_.push_back(choice);
     } else if (std::string_view(comment.value()) == " end " && open_.size() > 1) {
       if (in_part()) open_.pop_back();
@@ -156,7 +156,7 @@ class Refiner {
       }
       refine(child);
       if (is(child, "a")) lead(child);
-      if (is(child, "pre")) say(child, "tabindex", "0");
+      if (is(child, "pre")) put_attribute(child, "tabindex", "0");
       if (is(child, "table")) arrange(child);
     }
     group_figures(node);
@@ -176,10 +176,10 @@ class Refiner {
     paragraph.remove_child(image);
     paragraph.set_name("figure");
     if (chart.width >= wide_chart) {
-      say(paragraph, "class", "wide");
-      say(paragraph, "data-title", chart.title);
+      put_attribute(paragraph, "class", "wide");
+      put_attribute(paragraph, "data-title", chart.title);
     }
-    say(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
+    put_attribute(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
     pugi::xml_node caption = paragraph.append_child("figcaption");
     while (paragraph.first_child() != caption) caption.append_move(paragraph.first_child());
     refine(caption);
@@ -211,7 +211,7 @@ class Refiner {
       }
       if (!group) {
         group = node.insert_child_before("div", child);
-        say(group, "class", "figures");
+        put_attribute(group, "class", "figures");
       }
       group.append_move(child);
     }
@@ -237,26 +237,26 @@ class Refiner {
     for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
-      say(cell, "scope", "col");
+      put_attribute(cell, "scope", "col");
     }
     const std::string labels = column_labels(titles);
     if (!labels.empty()) {
-      say(table, "class",
+      put_attribute(table, "class",
           titles.size() > many_columns ? std::string("folding many") : std::string("folding"));
-      say(table, "style", labels);
+      put_attribute(table, "style", labels);
     }
     int rows = 0;
     for (const pugi::xml_node& row : table.child("tbody").children("tr")) rows += !row.empty();
     const bool folds = rows > rows_at_first + 2;
     int row_number = 0;
     for (pugi::xml_node row : table.child("tbody").children("tr")) {
-      if (folds && row_number++ >= rows_at_first) say(row, "class", "later");
+      if (folds && row_number++ >= rows_at_first) put_attribute(row, "class", "later");
       bool first = true;
       for (pugi::xml_node cell : row.children()) {
         align(cell, first ? "rowheader" : "cell");
         if (first && !text_of(cell).empty()) {
           cell.set_name("th");
-          say(cell, "scope", "row");
+          put_attribute(cell, "scope", "row");
         }
         first = false;
       }
@@ -269,23 +269,23 @@ class Refiner {
         std::string_view(cell.attribute("align").value()) == "right" ? "right" : "left";
     cell.remove_attribute("align");
     if (std::string_view(role) != "columnheader") colour(cell, classes);
-    say(cell, "class", classes);
+    put_attribute(cell, "class", classes);
   }
 
   /// A table that is too wide can be scrolled, with the keyboard, too.
   void frame(pugi::xml_node table, bool folds, int rows) {
     pugi::xml_node frame = table.parent().insert_child_before("div", table);
     const std::string id = fmt::format("table-{}", ++tables_);
-    say(frame, "class", "scroll");
-    say(frame, "role", "region");
-    say(frame, "aria-label", fmt::format("table {}: {}", tables_, heading_));
-    say(frame, "tabindex", "0");
+    put_attribute(frame, "class", "scroll");
+    put_attribute(frame, "role", "region");
+    put_attribute(frame, "aria-label", fmt::format("table {}: {}", tables_, heading_));
+    put_attribute(frame, "tabindex", "0");
     if (folds) {
       pugi::xml_node box = frame.append_child("input");
-      say(box, "type", "checkbox");
-      say(box, "id", id);
+      put_attribute(box, "type", "checkbox");
+      put_attribute(box, "id", id);
       pugi::xml_node label = frame.append_child("label");
-      say(label, "for", id);
+      put_attribute(label, "for", id);
       label.text() = fmt::format("Show all {} rows", rows).c_str();
     }
     frame.append_move(table);

@@ -14,7 +14,7 @@ namespace ricochet::report {
 
 namespace {
 
-std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
+std::vector<std::string> paragraphs_of(const TemplatePart& part, std::string_view key,
                                        const Scopes& scopes) {
   std::vector<std::string> paragraphs;
   const toml::array* list = part.list(key);
@@ -25,7 +25,7 @@ std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
   };
   for (const toml::node& node : *list) {
     if (const toml::table* table = node.as_table()) {
-      const Part own(*table);
+      const TemplatePart own(*table);
       for (const Scopes& place : places_of(own, scopes)) add(own.text("text"), place);
     } else {
       add(node.value<std::string>().value(), scopes);
@@ -67,7 +67,7 @@ std::string csv_of(const Json& rows) {
   return text;
 }
 
-Explorer explorer_of(const Part& part, const Scopes& scopes) {
+Explorer explorer_of(const TemplatePart& part, const Scopes& scopes) {
   Explorer explorer{filled(part.text("caption"), scopes), {}, {}};
   for (const Json& row : found_in(scopes, part.text("settings"))) {
     const Scopes place = with(scopes, row);
@@ -83,7 +83,7 @@ Explorer explorer_of(const Part& part, const Scopes& scopes) {
   return explorer;
 }
 
-Figure figure_of(const Part& chart, const Scopes& scopes, Mismatch mismatch) {
+Figure figure_of(const TemplatePart& chart, const Scopes& scopes, Mismatch mismatch) {
   try {
     Figure figure{chart_of(chart, scopes), chart.filled_text("caption", scopes),
                   chart.filled_text("choice", scopes), chart.filled_text("frame", scopes),
@@ -99,13 +99,13 @@ Figure figure_of(const Part& chart, const Scopes& scopes, Mismatch mismatch) {
   }
 }
 
-Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, DrawnPage& result) {
+Section section_of(const TemplatePart& part, const Scopes& scopes, Mismatch mismatch, DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
   section.notes = paragraphs_of(part, "notes", scopes);
   if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
   if (part.has("view")) section.view = found_in(scopes, part.text("view"));
-  for (const Part& table : part.parts("table")) {
+  for (const TemplatePart& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {
       section.tables.push_back(table_of(table, place));
       if (!table.has("csv")) continue;
@@ -116,7 +116,7 @@ Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, Dr
       }
     }
   }
-  for (const Part& chart : part.parts("chart")) {
+  for (const TemplatePart& chart : part.parts("chart")) {
     for (const Scopes& place : places_of(chart, scopes)) {
       section.figures.push_back(figure_of(chart, place, mismatch));
     }
@@ -128,7 +128,7 @@ Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, Dr
 
 DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mismatch) {
   const toml::table file = toml::parse(page_template);
-  const Part root(file);
+  const TemplatePart root(file);
   DrawnPage result;
   result.headline = headline_of(root, {&data});
   result.page.title = result.headline.title;
@@ -138,7 +138,7 @@ DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mis
   result.page.background = paragraphs_of(root, "background", scopes);
   result.page.above = root.filled_text("above", scopes);
   result.page.further = data.value("pages", std::vector<std::string>());
-  for (const Part& section : root.parts("section")) {
+  for (const TemplatePart& section : root.parts("section")) {
     for (const Scopes& place : places_of(section, scopes)) {
       result.page.sections.push_back(section_of(section, place, mismatch, result));
     }
@@ -149,7 +149,7 @@ DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mis
 
 Headline headline_in(const std::string& page_template, const Json& data) {
   const toml::table file = toml::parse(page_template);
-  return headline_of(Part(file), {&data});
+  return headline_of(TemplatePart(file), {&data});
 }
 
 Digits kept_digits(const std::string& page_template) {
@@ -163,17 +163,17 @@ Digits kept_digits(const std::string& page_template) {
   return digits;
 }
 
-std::string Part::text(std::string_view key) const {
+std::string TemplatePart::text(std::string_view key) const {
   const auto value = (*table_)[key].value<std::string>();
   if (!value) throw std::logic_error(fmt::format("a template's {} must be a text", key));
   return *value;
 }
 
-std::string Part::filled_text(std::string_view key, const Scopes& scopes) const {
+std::string TemplatePart::filled_text(std::string_view key, const Scopes& scopes) const {
   return has(key) ? filled(text(key), scopes) : "";
 }
 
-std::vector<std::string> Part::texts(std::string_view key) const {
+std::vector<std::string> TemplatePart::texts(std::string_view key) const {
   const toml::array* array = list(key);
   if (array == nullptr) return {text(key)};
   std::vector<std::string> all;
@@ -181,21 +181,21 @@ std::vector<std::string> Part::texts(std::string_view key) const {
   return all;
 }
 
-Part Part::part(std::string_view key) const {
+TemplatePart TemplatePart::part(std::string_view key) const {
   const toml::table* table = (*table_)[key].as_table();
   if (table == nullptr) throw std::logic_error(fmt::format("a template's {} must be a table", key));
-  return Part(*table);
+  return TemplatePart(*table);
 }
 
-std::vector<Part> Part::parts(std::string_view key) const {
-  std::vector<Part> all;
+std::vector<TemplatePart> TemplatePart::parts(std::string_view key) const {
+  std::vector<TemplatePart> all;
   if (const toml::array* array = list(key)) {
     for (const toml::node& node : *array) all.emplace_back(*node.as_table());
   }
   return all;
 }
 
-std::optional<double> Part::number(std::string_view key, const Scopes& scopes) const {
+std::optional<double> TemplatePart::number(std::string_view key, const Scopes& scopes) const {
   const toml::node* node = table_->get(key);
   return node == nullptr ? std::nullopt : number_in(*node, scopes);
 }
@@ -205,7 +205,7 @@ Scopes with(Scopes scopes, const Json& data) {
   return scopes;
 }
 
-std::vector<Scopes> places_of(const Part& part, const Scopes& scopes) {
+std::vector<Scopes> places_of(const TemplatePart& part, const Scopes& scopes) {
   std::vector<Scopes> places;
   if (part.has("when") && !holds(part.text("when"), scopes)) return places;
   if (part.has("each")) {
@@ -317,13 +317,13 @@ Json unpacked(Json data) {
 
 namespace {
 
-Excerpt excerpt_of(const Part& part, const Scopes& scopes) {
+Excerpt excerpt_of(const TemplatePart& part, const Scopes& scopes) {
   Excerpt excerpt{part.text("topic"),
                   part.filled_text("heading", scopes),
                   part.filled_text("text", scopes),
                   {},
                   {}};
-  for (const Part& link : part.parts("links")) {
+  for (const TemplatePart& link : part.parts("links")) {
     for (const Scopes& place : places_of(link, scopes)) {
       excerpt.links.push_back({filled(link.text("text"), place), link.filled_text("to", place)});
     }
@@ -333,7 +333,7 @@ Excerpt excerpt_of(const Part& part, const Scopes& scopes) {
 }
 
 /// Omits the samples at or beyond the end of the range of y, where failed runs are drawn.
-Chart inner_chart_of(const Part& part, const Scopes& scopes) {
+Chart inner_chart_of(const TemplatePart& part, const Scopes& scopes) {
   Chart chart = chart_of(part, scopes);
   for (Series& series : chart.series) {
     std::erase_if(series.samples, [&](const Sample& sample) {
@@ -346,22 +346,22 @@ Chart inner_chart_of(const Part& part, const Scopes& scopes) {
 
 }  // namespace
 
-Headline headline_of(const Part& page, const Scopes& scopes) {
+Headline headline_of(const TemplatePart& page, const Scopes& scopes) {
   Headline headline;
   headline.title = filled(page.text("title"), scopes);
   if (!page.has("headline")) return headline;
-  const Part part = page.part("headline");
+  const TemplatePart part = page.part("headline");
   headline.version = headline_version;
   headline.finding = part.filled_text("finding", scopes);
   headline.command = part.filled_text("made_by", scopes);
   headline.group = part.filled_text("group", scopes);
   headline.label = part.filled_text("label", scopes);
-  for (const Part& excerpt : part.parts("excerpt")) {
+  for (const TemplatePart& excerpt : part.parts("excerpt")) {
     for (const Scopes& place : places_of(excerpt, scopes)) {
       headline.excerpts.push_back(excerpt_of(excerpt, place));
     }
   }
-  for (const Part& chart : part.parts("chart")) {
+  for (const TemplatePart& chart : part.parts("chart")) {
     for (const Scopes& place : places_of(chart, scopes)) {
       headline.charts.push_back(inner_chart_of(chart, place));
     }

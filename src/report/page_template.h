@@ -144,9 +144,9 @@ Digits kept_digits(const std::string& page_template);
 
 /// A table of a template. Throws std::logic_error if a key is missing or has another type. The
 /// parsed template must outlive it.
-class Part {
+class TemplatePart {
  public:
-  explicit Part(const toml::table& table) : table_(&table) {}
+  explicit TemplatePart(const toml::table& table) : table_(&table) {}
 
   bool has(std::string_view key) const { return table_->contains(key); }
 
@@ -162,10 +162,10 @@ class Part {
   const toml::array* list(std::string_view key) const { return (*table_)[key].as_array(); }
 
   /// The table of that key.
-  Part part(std::string_view key) const;
+  TemplatePart part(std::string_view key) const;
 
   /// The tables in the list of that key; empty if it is missing.
-  std::vector<Part> parts(std::string_view key) const;
+  std::vector<TemplatePart> parts(std::string_view key) const;
 
   /// A number in the template, or the number of a name in the data; nothing if the key or the data
   /// are missing.
@@ -180,7 +180,7 @@ Scopes with(Scopes scopes, const Json& data);
 
 /// Returns the scopes for each repetition of a part: none unless `when` holds, one for each entry
 /// of the list `each`, or else one; the data named by `data` become the innermost scope.
-std::vector<Scopes> places_of(const Part& part, const Scopes& scopes);
+std::vector<Scopes> places_of(const TemplatePart& part, const Scopes& scopes);
 
 /// Returns true if a condition of the template holds: a name whose data must be true, or with a ^
 /// before it must not be.
@@ -200,20 +200,20 @@ Json unpacked(Json data);
 
 /// Returns the title of a template's page, and the contents of its [headline], see page_template.h;
 /// version 0 if it has none.
-Headline headline_of(const Part& page, const Scopes& scopes);
+Headline headline_of(const TemplatePart& page, const Scopes& scopes);
 
 /// Returns the chart's name, in lower-case letters, digits and hyphens.
-std::string chart_name(const Part& part, const Scopes& scopes);
+std::string chart_name(const TemplatePart& part, const Scopes& scopes);
 
 /// Returns the chart that a [[section.chart]] of a template declares, see page_template.h. Throws
 /// std::logic_error if it does not fit the data.
-Chart chart_of(const Part& part, const Scopes& scopes);
+Chart chart_of(const TemplatePart& part, const Scopes& scopes);
 
 /// Returns where the cells of its heat map lead, by the texts `row_link` and `column_link`.
-CellLinks cell_links_of(const Part& part, const Scopes& scopes);
+CellLinks cell_links_of(const TemplatePart& part, const Scopes& scopes);
 
 /// Returns the table that a [[section.table]] of a template declares, see page_template.h. Throws
 /// std::logic_error if it does not fit the data.
-Table table_of(const Part& part, const Scopes& scopes);
+Table table_of(const TemplatePart& part, const Scopes& scopes);
 
 }  // namespace ricochet::report

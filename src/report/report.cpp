@@ -185,7 +185,7 @@ std::vector<ReportKind> report_kinds() {
     const toml::table file = toml::parse(text);
     const toml::table* headline = file["headline"].as_table();
     if (headline == nullptr || !headline->contains("command")) continue;
-    const Part part(*headline);
+    const TemplatePart part(*headline);
     kinds.push_back({std::string(name), part.text("group"), part.text("label"),
                      part.text("question"), part.text("command")});
   }

@@ -62,7 +62,7 @@ void put(Json& object, const char* key, Json value) {
 }
 
 Json json_of(const ricochet::Table& table) {
-  Json columns = list_of(table.columns, [](const Column& column) {
+  Json columns = list_of(table.columns, [](const ricochet::Column& column) {
     Json json = {{"name", column.name}};
     put(json, "title", column.title);
     put(json, "format", column.format);

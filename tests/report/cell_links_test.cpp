@@ -23,7 +23,7 @@ heat_map = { cells = "shares", value = ".:%", row_link = "view#entry={{solver}}"
 )");
 
 TEST(CellLinks, AreThoseOfRowAndColumn) {
-  const Part part(linked_map);
+  const TemplatePart part(linked_map);
   const Json data =
       cell_links_data(chart_of(part, {&two_solvers}), cell_links_of(part, {&two_solvers}));
   EXPECT_EQ(data["rows"].dump(),
@@ -33,7 +33,7 @@ TEST(CellLinks, AreThoseOfRowAndColumn) {
 }
 
 TEST(CellLinks, LieOverTheCells) {
-  const Part part(linked_map);
+  const TemplatePart part(linked_map);
   const Chart chart = chart_of(part, {&two_solvers});
   const Json box = cell_links_data(chart, cell_links_of(part, {&two_solvers}))["box"];
   // The upper right cell has no value: its hatched rectangle ends where the box does.

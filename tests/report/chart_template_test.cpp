@@ -34,7 +34,7 @@ Chart made(const std::string& added) {
 name = "Chart of_{{id}}"
 title = "Of {{id}}"
 )" + added);
-  return chart_of(Part(table), {&data});
+  return chart_of(TemplatePart(table), {&data});
 }
 
 Chart with_series(const std::string& series, const std::string& scale = "linear") {
@@ -173,7 +173,7 @@ title = "b"
 x = { label = "a" }
 y = { label = "b" }
 series = [{ rows = "rows", y = "." }])");
-  EXPECT_THAT(values(chart_of(Part(table), {&rows}).series[0]),
+  EXPECT_THAT(values(chart_of(TemplatePart(table), {&rows}).series[0]),
               ElementsAre(Optional(1.0), std::nullopt));
 }
 
@@ -200,7 +200,7 @@ x = { label = "x" }
 y = { label = "y" }
 areas = [{ each = "regions", label = "{{label}}", name = "{{label}}", shade = "shade", parts = "parts" }]
 )");
-  const Chart chart = chart_of(Part(table), {&maps});
+  const Chart chart = chart_of(TemplatePart(table), {&maps});
   ASSERT_EQ(chart.areas.size(), 2U);
   EXPECT_EQ(chart.areas[0].name, "few");
   EXPECT_EQ(chart.areas[0].shade, 0.5);
@@ -223,7 +223,7 @@ x = { label = "x" }
 y = { label = "y" }
 series = [{ label = "", look = "dark", order = "given", rows = "samples", x = "x", y = "y" }]
 )");
-  const Chart chart = chart_of(Part(table), {&lines});
+  const Chart chart = chart_of(TemplatePart(table), {&lines});
   ASSERT_EQ(chart.series.size(), 1U);
   EXPECT_TRUE(chart.series[0].dark);
   EXPECT_EQ(chart.series[0].samples.at(3).position, 0);

@@ -288,14 +288,17 @@ Json json_of(const Results& results) {
 
 Results results_in(const Json& json) {
   Results results;
+  // items() must not outlive its object.
   const Json none = Json::object();
-  for (const auto& [name, value] : json.value("values", none).items())
+  const auto objects = [&](const char* key) -> const Json& {
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+  };
+  for (const auto& [name, value] : objects("values").items())
     results.values.emplace_back(name, value_in(value));
-  for (const auto& [name, table] : json.value("tables", none).items())
-    results.add(table_in(name, table));
-  for (const auto& [name, chart] : json.value("charts", none).items())
-    results.add(chart_in(name, chart));
-  for (const auto& [name, list] : json.value("parts", none).items()) {
+  for (const auto& [name, table] : objects("tables").items()) results.add(table_in(name, table));
+  for (const auto& [name, chart] : objects("charts").items()) results.add(chart_in(name, chart));
+  for (const auto& [name, list] : objects("parts").items()) {
     for (const Json& part : list)
       results.add(name, {part.at("id"), part.at("title"), results_in(part)});
   }

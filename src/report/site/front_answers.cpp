@@ -234,6 +234,9 @@ constexpr const char* its_name = "fireworks";
 constexpr const char* chance = "random-search";
 constexpr const char* own_family = "top-speed";
 
+/// The algorithm and its variants.
+constexpr const char* its_kind = "fireworks";
+
 /// Solvers of one kind, by a part of their names.
 struct Kind {
   const char *label, *part;
@@ -243,8 +246,8 @@ constexpr Kind kinds[] = {{"CMA-ES", "cmaes"}, {"NLopt", "nlopt"}, {"Ipopt", "ip
 /// The solvers of a family with its largest budget that take all of its problems.
 class Measured {
  public:
-  Measured(const std::vector<SpeedAccuracy>& all, const std::string& family) {
-    for (const SpeedAccuracy& one : all) {
+  Measured(const ComparisonData& data, const std::string& family) : solvers_(&data.solvers) {
+    for (const SpeedAccuracy& one : data.speed_accuracy) {
       const bool whole = one.share && one.share_lower && one.share_upper;
       if (one.family == family && one.largest && one.complete && whole) rows_.push_back(one);
     }
@@ -267,7 +270,28 @@ class Measured {
     return best([&](const std::string& solver) { return solver == name; });
   }
 
+  /// Number of variants of the algorithm, with itself, of which there are results.
+  std::size_t variants() const {
+    std::set<std::string> names;
+    for (const SpeedAccuracy& one : rows_)
+      if (is_variant(one.solver)) names.insert(one.solver);
+    return names.size();
+  }
+
+  bool is_variant(const std::string& solver) const {
+    return std::ranges::any_of(*solvers_, [&](const NamedSolver& one) {
+      return one.name == solver && one.kind == its_kind;
+    });
+  }
+
+  /// The best of the algorithm's variants; null if there is only itself.
+  const SpeedAccuracy* best_variant() const {
+    if (variants() < 2) return nullptr;
+    return best([&](const std::string& solver) { return is_variant(solver); });
+  }
+
  private:
+  const std::vector<NamedSolver>* solvers_;
   std::vector<SpeedAccuracy> rows_;
 };
 
@@ -282,6 +306,8 @@ std::string rivals(const Measured& measured) {
   if (own == nullptr) return "";
   std::string text = told(*own), missing;
   if (const SpeedAccuracy* one = measured.named(chance)) text += ", " + told(*one);
+  const SpeedAccuracy* variant = measured.best_variant();
+  if (variant != nullptr && variant != own) text += ", " + told(*variant);
   for (const Kind& kind : kinds) {
     const SpeedAccuracy* one = measured.best(
         [&](const std::string& solver) { return solver.find(kind.part) != std::string::npos; });
@@ -311,28 +337,35 @@ std::string verdict(const Measured& measured, const std::string& where) {
   if (drawn != nullptr) {
     const bool better = own->share_lower > drawn->share_upper;
     const bool worse = own->share_upper < drawn->share_lower;
-    text = fmt::format("{} than random search: on {} it solves {} of the runs, random search {}",
+    text = fmt::format("{} than random search: on {} {} solves {} of the runs, random search {}",
                        better  ? "Better"
                        : worse ? "Worse"
                                : "Not measurably better",
-                       where, percent(*own), percent(*drawn));
+                       where, its_name, percent(*own), percent(*drawn));
   } else {
-    text = fmt::format("On {} it solves {} of the runs", where, percent(*own));
+    text = fmt::format("On {} {} solves {} of the runs", where, its_name, percent(*own));
+  }
+  if (const SpeedAccuracy* variant = measured.best_variant()) {
+    text += variant == own ? fmt::format(", the best of {} variants", measured.variants())
+                           : fmt::format(", the best of {} variants, {}, {}", measured.variants(),
+                                         variant->solver, percent(*variant));
   }
   const SpeedAccuracy* cmaes = measured.best(
       [](const std::string& solver) { return solver.find("cmaes") != std::string::npos; });
-  if (cmaes != nullptr) text += ", CMA-ES " + percent(*cmaes);
+  if (cmaes != nullptr) {
+    text += fmt::format(", the best CMA-ES, {}, {}", cmaes->solver, percent(*cmaes));
+  }
   const SpeedAccuracy* first = measured.best([](const std::string&) { return true; });
-  if (first != nullptr && first != own && first != cmaes) {
+  if (first != nullptr && first != own && first != cmaes && !measured.is_variant(first->solver)) {
     text += fmt::format(", {} {}", first->solver, percent(*first));
   }
   return fmt::format("{} ({} problems).", text, own->problems.value_or(0));
 }
 
 /// Where it leads, of the families that it takes.
-std::string wins(const std::vector<SpeedAccuracy>& all) {
+std::string wins(const ComparisonData& all) {
   std::vector<std::string> families, most, over_chance;
-  for (const SpeedAccuracy& one : all) {
+  for (const SpeedAccuracy& one : all.speed_accuracy) {
     if (one.budget && std::ranges::count(families, one.family) == 0) {
       families.push_back(one.family);
     }
@@ -358,14 +391,14 @@ std::string wins(const std::vector<SpeedAccuracy>& all) {
 }  // namespace
 
 std::string paper_algorithm_verdict(const FoundReport& comparison) {
-  const std::vector<SpeedAccuracy> all = comparison.data.get<ComparisonData>().speed_accuracy;
+  const auto all = comparison.data.get<ComparisonData>();
   std::string own = verdict(Measured(all, own_family), "the paper's own problem");
   if (own.empty()) own = verdict(Measured(all, "all"), "all families together");
   return own.empty() ? own : own + wins(all);
 }
 
 std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
-  const std::vector<SpeedAccuracy> all = comparison.data.get<ComparisonData>().speed_accuracy;
+  const auto all = comparison.data.get<ComparisonData>();
   std::string text;
   std::vector<FrontLink> links;
   for (const std::string& family : {std::string(own_family), std::string("all")}) {
@@ -385,8 +418,8 @@ std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
   return FrontExcerpt{
       .heading = "What is the paper's fireworks algorithm worth?",
       .text = paper_algorithm_verdict(comparison) +
-              " Runs solved by the returned point (95 % interval), beside the best solvers of "
-              "CMA-ES, NLopt and Ipopt: " +
+              " Runs solved by the returned point (95 % interval), beside random search, the best "
+              "variant and the best solvers of CMA-ES, NLopt and Ipopt: " +
               text,
       .links = std::move(links)};
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/page_fireworks.h"
+#include "embedded/page_surrogate.h"
 #include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
@@ -16,12 +18,10 @@
 #include "embedded/page_comparison_view.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
-#include "embedded/template_fireworks.h"
 #include "embedded/template_impact_test.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
-#include "embedded/template_surrogate.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
@@ -46,14 +46,14 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"comparison_view", embedded::page_comparison_view},
     {"advice", embedded::template_advice},
     {"dynamics", embedded::template_dynamics},
-    {"surrogate", embedded::template_surrogate},
+    {"surrogate", embedded::page_surrogate},
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
     {"calibration", embedded::template_calibration},
     {"verification", embedded::page_verification},
     {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},
-    {"fireworks", embedded::template_fireworks},
+    {"fireworks", embedded::page_fireworks},
 };
 
 constexpr const char* data_file = "data.json";
@@ -162,7 +162,8 @@ std::vector<std::string> page_names() {
 
 Results results_of(const Json& data) {
   Results results = results_in(data);
-  for (const auto& [name, value] : data.value("made", Json::object()).items()) {
+  const Json made = data.value("made", Json::object());
+  for (const auto& [name, value] : made.items()) {
     if (value.is_string()) results.set("made." + name, value.get<std::string>());
     if (value.is_number()) results.set("made." + name, value.get<double>());
     if (value.is_boolean()) results.set("made." + name, value.get<bool>());

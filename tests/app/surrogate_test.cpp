@@ -21,7 +21,7 @@ TEST(Surrogate, WritesAReportThatStandsAlone) {
 
   const auto again = folder.parent_path() / "again";
   ASSERT_EQ(call("report " + folder.string() + " --out " + again.string()).exit_code, 0);
-  for (const char* file : {"index.html", "summary.md", "gap-c1.csv", "data.json"}) {
+  for (const char* file : {"index.html", "summary.md", "bias.csv", "data.json"}) {
     EXPECT_EQ(read(again / file), read(folder / file)) << file;
   }
 }

@@ -1,5 +1,7 @@
 #include "src/studies/fireworks/study.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,88 +10,12 @@
 #include <stdexcept>
 
 #include "embedded/published.h"
-#include "solvers/fireworks/dynamic_fireworks.h"
 #include "solvers/fireworks/fireworks.h"
-#include "solvers/library_solvers.h"
-#include "src/analysis/statistics/intervals.h"
 #include "src/core/progress.h"
-
-#ifdef RICOCHET_HAS_PAGMO
-#endif
+#include "src/report/json.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::fireworks {
-
-namespace {
-
-using report::Json;
-
-std::vector<Entry> entries_of(const Json& rows, const std::vector<Solver>& members) {
-  std::vector<Entry> entries;
-#ifdef RICOCHET_HAS_PAGMO
-  for (const Json& row : rows) {
-    const auto number = row["number"].get<unsigned>();
-    for (const Solver& member : members) {
-      entries.push_back({member, [number] { return cec2013(number, 30); }});
-    }
-  }
-#endif
-  return entries;
-}
-
-/// All except the interpretations of the paper, which are at most as good as Tan and Zhu's program.
-std::vector<Solver> members_to_compare() {
-  std::vector<Solver> members;
-  for (Solver& member : ricochet::fireworks::family()) {
-    const bool interpretation = member.name == "fireworks" || member.name == "fireworks-as-printed";
-    if (!interpretation) members.push_back(std::move(member));
-  }
-  return members;
-}
-
-/// Our moments and the published mean, if there is one.
-Json cell_of(const std::vector<double>& errors, const Json& row, const std::string& solver,
-             int published_runs) {
-  const Moments moments = moments_of(errors);
-  Json cell = moments;
-  const bool compared = row.contains(solver);
-  cell["other"] = compared ? row[solver] : Json();
-  cell["agrees"] =
-      compared ? Json(agrees(moments, {row[solver].get<double>(), published_runs})) : Json();
-  return cell;
-}
-
-}  // namespace
-
-Json competition_data(int runs, std::int64_t evaluations) {
-  const Json& table = published()["cec2013"];
-  const std::vector<Solver> members = members_to_compare();
-  const std::vector<Entry> entries = entries_of(table["rows"], members);
-  Json data = {{"source", table["source"]},
-               {"evaluations", evaluations},
-               {"runs", runs},
-               {"published_runs", table["runs"]},
-               {"solvers", report::list_of(members, &Solver::name)},
-               {"rows", Json::array()}};
-  std::vector<std::vector<double>> errors;
-  if (!entries.empty()) {
-    errors = errors_of(entries, evaluations, runs, "functions of CEC 2013");
-  }
-  int compared = 0, agreeing = 0;
-  for (std::size_t k = 0; k < entries.size(); k += members.size()) {
-    Json row = table["rows"][k / members.size()];
-    Json cells = Json::array();
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      cells.push_back(cell_of(errors[k + i], row, members[i].name, table["runs"].get<int>()));
-      compared += cells.back()["agrees"].is_boolean() ? 1 : 0;
-      agreeing += cells.back()["agrees"] == true ? 1 : 0;
-    }
-    row["cells"] = std::move(cells);
-    data["rows"].push_back(std::move(row));
-  }
-  data["compared"] = compared;
-  data["agreeing"] = agreeing;
-  return data;
-}
 
 namespace {
 
@@ -129,9 +55,7 @@ Moments moments_of(const std::vector<double>& values) {
   for (const double value : values) mean += value / count;
   double variance = 0;
   for (const double value : values) variance += (value - mean) * (value - mean) / (count - 1);
-  const double deviation = std::sqrt(variance);
-  const double reach = student_t(count - 1) * deviation / std::sqrt(count);
-  return {mean, deviation, values.size(), mean - reach, mean + reach};
+  return {mean, std::sqrt(variance), values.size()};
 }
 
 bool agrees(const Moments& moments, const OtherMean& other) {
@@ -145,221 +69,288 @@ bool agrees(const Moments& moments, const OtherMean& other) {
 
 namespace {
 
-constexpr std::int64_t plateau_evaluations = 1000;
-
-template <class OfDistance>
-Problem landscape(std::string name, double target, OfDistance of_distance) {
-  Problem problem;
-  problem.name = std::move(name);
-  problem.source = "the study of the fireworks family";
-  problem.lower = Vector::Zero(1);
-  problem.upper = Vector::Constant(1, 1000);
-  problem.start = Vector::Constant(1, 700);
-  problem.evaluate = [target, of_distance](const Vector& x) {
-    return Values{of_distance(std::max({target - x[0], x[0] - target - 1, 0.0})), {}};
-  };
-  return problem;
-}
-
-std::vector<Solver> contenders() {
-  std::vector<Solver> solvers = ricochet::fireworks::family();
-  solvers.push_back(ricochet::fireworks::bare_bones_fireworks("bbfwa-10", {.sparks = 10}));
-  solvers.push_back(ricochet::fireworks::bare_bones_fireworks(
-      "bbfwa-10-neutral", {.sparks = 10, .neutral_moves = true}));
-  solvers.push_back(random_search());
-  return solvers;
-}
-
-Json cell_of(const std::vector<double>& errors) {
-  const auto hits = static_cast<double>(std::count(errors.begin(), errors.end(), 0.0));
-  const auto runs = static_cast<double>(errors.size());
-  const Interval interval = wilson_interval(hits, runs);
-  return {{"rate", hits / runs},
-          {"lower", interval.lower},
-          {"upper", interval.upper},
-          {"other", nullptr}};
-}
-
-/// Adds the published results to ours.
-void add_published(const std::string& landscape, Json& solvers) {
-  for (const Json& row : published()["plateau"]["rows"]) {
-    if (row["landscape"] != landscape) continue;
-    for (Json& solver : solvers) {
-      if (solver["solver"] != row["solver"]) continue;
-      for (std::size_t k = 0; k < row["rates"].size(); ++k) {
-        solver["cells"][k]["other"] = row["rates"][k];
-      }
-    }
-  }
-}
-
-}  // namespace
-
-Problem needle(double target) {
-  return landscape("needle", target, [](double distance) { return distance > 0 ? 1.0 : 0.0; });
-}
-
-Problem logarithmic_staircase(double target) {
-  return landscape("logarithmic staircase", target,
-                   [](double distance) { return std::ceil(std::log2(1 + distance)); });
-}
-
-Json plateau_data(int runs) {
-  const Json& targets = published()["plateau"]["targets"];
-  std::vector<Entry> entries;
-  for (const auto& make : {needle, logarithmic_staircase}) {
-    for (const Solver& solver : contenders()) {
-      for (const Json& target : targets) {
-        const Problem problem = make(target.get<double>());
-        entries.push_back({solver, [problem] { return problem; }});
-      }
-    }
-  }
-  const auto errors = errors_of(entries, plateau_evaluations, runs, "plateaus");
-  Json landscapes = Json::array();
-  std::size_t next = 0;
-  for (const auto& make : {needle, logarithmic_staircase}) {
-    Json solvers = Json::array();
-    for (const Solver& solver : contenders()) {
-      Json cells = Json::array();
-      for (std::size_t k = 0; k < targets.size(); ++k) cells.push_back(cell_of(errors[next++]));
-      solvers.push_back({{"solver", solver.name}, {"cells", std::move(cells)}});
-    }
-    const std::string name = make(0).name;
-    add_published(name, solvers);
-    landscapes.push_back({{"id", next == errors.size() ? "staircase" : "needle"},
-                          {"landscape", name},
-                          {"solvers", std::move(solvers)}});
-  }
-  return {{"source", published()["plateau"]["source"]},
-          {"evaluations", plateau_evaluations},
-          {"runs", runs},
-          {"targets", targets},
-          {"landscapes", std::move(landscapes)}};
-}
-
-const report::Json& published() {
-  static const report::Json all = report::Json::parse(embedded::published);
-  return all;
-}
-
-namespace {
-
 using namespace ricochet::fireworks;
+using report::Json;
 
-constexpr Eigen::Index table_dimension = 30;
-constexpr std::int64_t table_evaluations = 10'000;
+constexpr Eigen::Index dimension = 30;
+constexpr std::int64_t evaluations_of_2010 = 10'000;  ///< and on the shifted sphere
 
 /// A mean below this is printed as 0.000000.
 constexpr double zero = 5e-7;
 
-struct Interpretation {
-  const char* name;
-  FireworksOptions options;
-};
+/// An optimum at more than this distance from the origin is far; a solver that is much worse there
+/// is biased.
+constexpr double far = 30;
+constexpr double much = 100;
 
-/// Tan and Zhu's paper rounds; their program rounds up.
-FireworksOptions rounded_options() {
-  FireworksOptions options = authors_options();
-  options.moved = options.gaussian_moved = Moved::rounded;
-  return options;
+/// Below the axis of the chart.
+constexpr double least_shown = 1e-3;
+
+/// Published results of others; each list with its source.
+const Json& published() {
+  static const Json all = Json::parse(embedded::published);
+  return all;
 }
 
-/// Interpretations of the algorithm of 2010.
-std::vector<Interpretation> interpretations() {
-  return {{"fireworks", paper_options()},
-          {"fireworks-authors", authors_options()},
-          {"with round(d U)", rounded_options()}};
+constexpr const char* rounded_name = "fireworks-authors with round(d U)";
+
+/// Name and description of each variant, in the order of the table.
+constexpr std::pair<const char*, const char*> descriptions[] = {
+    {"fireworks", "equations (23) to (30) as the paper prints them, with the numbers of 2010"},
+    {"fireworks-as-printed", "the same, with the slip in the third branch of equation (24)"},
+    {"fireworks-authors", "Tan and Zhu's program, 2010: ceil(d U) coordinates move, by one draw"},
+    {rounded_name, "as Tan and Zhu's paper has it, where their program takes the ceiling"},
+    {"fireworks-corrected",
+     "known defects corrected: as efwa, a coordinate moves at least, no clones, ties are drawn"},
+    {"efwa", "enhanced: Zheng, Janecek and Tan, CEC 2013"},
+    {"dynfwa", "dynamic search: Zheng, Janecek, Li and Tan, CEC 2014"},
+    {"bbfwa", "bare bones, one firework: Li and Tan, 2018"},
+    {"lotfwa", "loser-out tournament of 5 fireworks: Li and Tan, 2018"},
+    {"mgfwa", "lotfwa with guiding sparks: Meng and Tan, 2023, as in their program"},
+    {"fwassp", "search space partition: Li and Tan, 2021, as in their program"}};
+
+/// Returns variants of the algorithm of 2010 that begin in this region.
+std::vector<Solver> interpretations(const StartRegion& start) {
+  // Tan and Zhu's paper rounds; their program rounds up.
+  FireworksOptions rounded = authors_options();
+  rounded.moved = rounded.gaussian_moved = Moved::rounded;
+  std::vector<Solver> solvers;
+  for (auto [name, options] :
+       {std::pair("fireworks", paper_options()), std::pair("fireworks-authors", authors_options()),
+        std::pair(rounded_name, rounded)}) {
+    options.start_region = start;
+    solvers.push_back(ricochet::fireworks::fireworks(name, options));
+  }
+  return solvers;
 }
 
-/// Successors without a bias to the origin.
-std::vector<Interpretation> successors() {
-  return {{"fireworks-corrected", corrected_options()}, {"efwa", enhanced_options()}};
+void add_result(Table& results, const Solver& solver, const Json& row, const Moments& moments,
+                const OtherMean& other, bool agreeing) {
+  results.add(solver.name, row["function"].get<std::string>(), moments.mean, moments.deviation,
+              other.mean, other.deviation, agreeing);
 }
 
-/// The moments of each interpretation's errors, by its name.
-Json cells_of(const std::vector<Interpretation>& interpretations, const Problem& problem,
-              const Json& row, int runs) {
+/// Adds the nine means of 2010.
+void add_results_of_2010(Table& results, int runs) {
+  const Json& table = published()["table_3"];
+  for (const Json& row : table["rows"]) {
+    const Problem problem = benchmark_function(row["function"].get<std::string>(), dimension);
+    const std::vector<Solver> solvers =
+        interpretations({row["lower"].get<double>(), row["upper"].get<double>()});
+    std::vector<Entry> entries;
+    for (const Solver& solver : solvers) entries.push_back({solver, [problem] { return problem; }});
+    const auto errors = errors_of(entries, evaluations_of_2010, runs, problem.name);
+    const OtherMean other{row["mean"].get<double>(), table["runs"].get<int>(),
+                          row["deviation"].get<double>()};
+    for (std::size_t i = 0; i < solvers.size(); ++i) {
+      const Moments moments = moments_of(errors[i]);
+      // A published zero must be one, another mean must not differ significantly.
+      const bool agreeing = other.mean < zero ? moments.mean < zero : agrees(moments, other);
+      add_result(results, solvers[i], row, moments, other, agreeing);
+    }
+  }
+}
+
+/// Adds the means of the competition of CEC 2013.
+void add_results_of_2013(Table& results, const ComparisonPlan& plan) {
+#ifdef RICOCHET_HAS_PAGMO
+  const Json& table = published()["cec2013"];
   std::vector<Entry> entries;
-  for (Interpretation interpretation : interpretations) {
-    interpretation.options.start_region = {row["lower"].get<double>(), row["upper"].get<double>()};
-    entries.push_back({ricochet::fireworks::fireworks(interpretation.name, interpretation.options),
-                       [problem] { return problem; }});
+  std::vector<const Json*> rows;
+  for (const Solver& solver : family()) {
+    for (const Json& row : table["rows"]) {
+      if (!row.contains(solver.name)) continue;
+      entries.push_back({solver, [number = row["number"].get<unsigned>()] {
+                           return cec2013(number, dimension);
+                         }});
+      rows.push_back(&row);
+    }
   }
-  const auto errors = errors_of(entries, table_evaluations, runs, problem.name);
-  Json cells = Json::array();
-  for (std::size_t i = 0; i < interpretations.size(); ++i) {
-    cells.push_back({{"name", interpretations[i].name}});
-    cells.back().update(Json(moments_of(errors[i])));
+  const auto errors = errors_of(entries, plan.competition_evaluations, plan.competition_runs,
+                                "functions of CEC 2013");
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Solver& solver = entries[k].solver;
+    const Moments moments = moments_of(errors[k]);
+    const OtherMean other{(*rows[k])[solver.name].get<double>(), table["runs"].get<int>()};
+    add_result(results, solver, *rows[k], moments, other, agrees(moments, other));
   }
-  return cells;
+#else
+  (void)results;
+  (void)plan;
+#endif
 }
 
-/// Adds to each cell whether it agrees with the published value.
-void compare(Json& cells, const Json& row, int published_runs) {
-  const double mean = row["mean"].get<double>();
-  for (Json& cell : cells) {
-    cell["agrees"] = mean < zero ? cell["mean"].get<double>() < zero
-                                 : agrees(cell.get<Moments>(),
-                                          {mean, published_runs, row["deviation"].get<double>()});
+Table results_table(const ComparisonPlan& plan) {
+  Table results{"results",
+                {{"solver"},
+                 {"function"},
+                 {"mean", "mean error", ".4g", 17},
+                 {"deviation", "standard deviation", ".2g"},
+                 {"published", "theirs", ".4g", 17},
+                 {"published_deviation", "standard deviation of theirs", ".2g"},
+                 {"agrees", "agrees", "mark"}}};
+  add_results_of_2010(results, plan.runs);
+  add_results_of_2013(results, plan);
+  // By solver, each with its functions in the order of the publication.
+  Table ordered{results.name, results.columns};
+  for (const auto& [name, description] : descriptions) {
+    for (auto& row : where(results, "solver", value_of(name)).rows) ordered.add_row(std::move(row));
   }
+  return ordered;
+}
+
+/// Errors on Sphere, by where every coordinate of the optimum is.
+Table shift_table(int runs) {
+  Table table{"shift",
+              {{"solver"},
+               {"shift", "optimum at"},
+               {"mean", "mean error", ".2g", 17},
+               {"deviation", "standard deviation", ".1g"}}};
+  const std::vector<Solver> members = family();
+  const Json& rows = published()["shift"]["rows"];
+  std::vector<Entry> entries;
+  for (const Solver& member : members) {
+    for (const Json& row : rows) {
+      const Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
+      entries.push_back({member, [problem] { return problem; }});
+    }
+  }
+  const auto errors = errors_of(entries, evaluations_of_2010, runs, "shifted sphere");
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Moments moments = moments_of(errors[k]);
+    table.add(entries[k].solver.name, rows[k % rows.size()]["shift"].get<double>(), moments.mean,
+              moments.deviation);
+  }
+  return table;
+}
+
+/// Whether a solver is much worse with the optimum far from the origin than at it; nothing if it
+/// did not run.
+std::optional<bool> is_biased(const Table& shift, const std::string& solver) {
+  const Table own = where(shift, "solver", value_of(solver));
+  if (own.rows.empty()) return {};
+  double worst_far = 0;
+  each_row(own, [&](const Row& row) {
+    if (row.number("shift") >= far) worst_far = std::max(worst_far, row.number("mean"));
+  });
+  return worst_far > much * own[0].number("mean");
+}
+
+Table variants_table(const Table& results, const Table& shift) {
+  Table table{"variants",
+              {{"solver"},
+               {"what", "what it is"},
+               {"compared", "means compared"},
+               {"agreeing", "agree"},
+               {"biased", "biased to the origin"}}};
+  for (const auto& [name, description] : descriptions) {
+    const Table own = where(results, "solver", value_of(name));
+    std::optional<std::size_t> compared, agreeing;
+    if (!own.rows.empty()) {
+      compared = own.rows.size();
+      agreeing = where(own, "agrees", true).rows.size();
+    }
+    table.add(name, description, compared, agreeing, is_biased(shift, name));
+  }
+  return table;
+}
+
+report::Chart shift_chart(const Table& shift, const Table& variants, int runs) {
+  using report::Mark;
+  std::vector<std::string> biased;
+  report::Chart chart{
+      .name = "shift",
+      .title = "",
+      .x = {"every coordinate of the optimum"},
+      .y = {"mean error at the end", report::Scale::logarithmic, report::Range{least_shown, 1e5}},
+      .width = 640,
+      .height = 420};
+  bool labelled = false;
+  each_row(variants, [&](const Row& variant) {
+    const std::string solver = variant.text("solver");
+    const Table own = where(shift, "solver", value_of(solver));
+    if (own.rows.empty()) return;
+    const bool pale = !variant.is("biased");
+    if (!pale) biased.push_back(solver);
+    report::Series series{pale ? (labelled ? "" : "the others") : solver, Mark::line, {}, pale};
+    labelled = labelled || pale;
+    each_row(own, [&](const Row& row) {
+      series.samples.push_back({row.number("shift"), std::max(row.number("mean"), 1e-300)});
+    });
+    chart.series.push_back(std::move(series));
+  });
+  report::Series other{"another program, 2010's algorithm", Mark::points, {}};
+  for (const Json& row : published()["shift"]["rows"]) {
+    other.samples.push_back({row["shift"].get<double>(), row["mean"].get<double>()});
+  }
+  chart.series.push_back(std::move(other));
+  chart.title = biased.empty()
+                    ? fmt::format("No variant misses an optimum far from the origin")
+                    : fmt::format("{} miss an optimum that is not at the origin (mean of {} runs)",
+                                  fmt::join(biased, ", "), runs);
+  return chart;
+}
+
+/// What holds of the algorithm as the paper prints it, and of its successors.
+std::string finding_of(const Table& results, const Table& variants) {
+  const Table own = where(results, "solver", value_of("fireworks"));
+  const Table agreeing = where(own, "agrees", true);
+  const auto zeros =
+      where(agreeing, [](const Row& row) { return row.number("published") < zero; }).rows.size();
+  std::string text = fmt::format(
+      "The solver fireworks, the paper's algorithm, gives {} of the {} means published in 2010, {} "
+      "of "
+      "them zeros with the optimum at the origin",
+      agreeing.rows.size(), own.rows.size(),
+      zeros == agreeing.rows.size() ? "all" : fmt::format("{}", zeros));
+  if (variants[0].is("biased")) text += ", to which it is biased";
+  text += ".";
+  const Table successors =
+      where(results, [](const Row& row) { return !row.text("solver").starts_with("fireworks"); });
+  if (!successors.rows.empty()) {
+    text += fmt::format(" Of {} means of its successors, {} agree with those of other programs.",
+                        successors.rows.size(), where(successors, "agrees", true).rows.size());
+  }
+  return text;
 }
 
 }  // namespace
 
-Json table_3_data(int runs) {
-  const Json& table = published()["table_3"];
-  Json data = {{"source", table["source"]},
-               {"evaluations", table_evaluations},
-               {"runs", runs},
-               {"published_runs", table["runs"]},
-               {"interpretations", Json::array()},
-               {"successors", Json::array()},
-               {"zeros", 0},
-               {"others", Json::array()},
-               {"rows", Json::array()}};
-  for (const Interpretation& interpretation : interpretations()) {
-    data["interpretations"].push_back({{"name", interpretation.name}, {"zeros", 0}});
-  }
-  for (const Interpretation& interpretation : successors())
-    data["successors"].push_back(interpretation.name);
-  int zeros = 0;
-  for (Json row : table["rows"]) {
-    const Problem problem = benchmark_function(row["function"].get<std::string>(), table_dimension);
-    row["cells"] = cells_of(interpretations(), problem, row, runs);
-    row["successors"] = cells_of(successors(), problem, row, runs);
-    compare(row["cells"], row, table["runs"].get<int>());
-    const bool is_zero = row["mean"].get<double>() < zero;
-    zeros += is_zero ? 1 : 0;
-    for (std::size_t i = 0; i < row["cells"].size() && is_zero; ++i) {
-      Json& count = data["interpretations"][i]["zeros"];
-      count = count.get<int>() + (row["cells"][i]["agrees"].get<bool>() ? 1 : 0);
-    }
-    if (!is_zero) data["others"].push_back(row);
-    data["rows"].push_back(std::move(row));
-  }
-  data["zeros"] = zeros;
-  return data;
+report::Results compared_with_published(const ComparisonPlan& plan) {
+  Table results = results_table(plan);
+  Table shift = shift_table(plan.runs);
+  Table variants = variants_table(results, shift);
+  report::Results all;
+  all.set("finding", finding_of(results, variants));
+  all.set("runs", plan.runs);
+  all.set("evaluations", evaluations_of_2010);
+  all.set("competition-runs", plan.competition_runs);
+  all.set("competition-evaluations", plan.competition_evaluations);
+  all.set("published-runs", published()["table_3"]["runs"].get<int>());
+  all.set("published-competition-runs", published()["cec2013"]["runs"].get<int>());
+  all.set("source", published()["table_3"]["source"].get<std::string>());
+  all.set("much", much);
+  all.set("far", far);
+  all.add(shift_chart(shift, variants, plan.runs));
+  all.add(std::move(variants));
+  all.add(std::move(results));
+  all.add(std::move(shift));
+  return all;
 }
 
 }  // namespace ricochet::studies::fireworks
 
 namespace ricochet::studies {
 
-namespace {
-
-report::Json compute(bool quick) {
-  using namespace fireworks;
-  return {{"table_3", table_3_data(quick ? 5 : 20)},
-          {"shift", shift_data(quick ? 5 : 20)},
-          {"competition", competition_data(quick ? 2 : 15, 300'000)},
-          {"plateau", plateau_data(quick ? 100 : 1000)}};
-}
-
-}  // namespace
-
 Study fireworks_study() {
-  return {"fireworks", "Fewer runs, in a minute", compute};
+  return {"fireworks", "Fewer runs, in a minute", [](bool quick) {
+            report::Results results =
+                fireworks::compared_with_published({quick ? 5 : 20, quick ? 2 : 15, 300'000});
+            results.set("quick", quick ? std::optional("This is the quick version, with few runs: "
+                                                       "expect disagreement by chance.")
+                                       : std::nullopt);
+            return json_of(results);
+          }};
 }
 
 }  // namespace ricochet::studies

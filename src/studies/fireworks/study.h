@@ -8,8 +8,15 @@
 
 #include "ricochet/problem.h"
 #include "ricochet/run.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 #include "src/report/site/study.h"
+
+namespace ricochet::studies {
+
+/// Compares the fireworks family with published results: five minutes of processor time.
+Study fireworks_study();
+
+}  // namespace ricochet::studies
 
 namespace ricochet::studies::fireworks {
 
@@ -21,20 +28,11 @@ Problem benchmark_function(const std::string& name, Eigen::Index n);
 /// Sum (x_i - shift)^2 on [-100, 100]^n.
 Problem shifted_sphere(double shift, Eigen::Index n);
 
-/// Error of every member of the family on Sphere, in 30 dimensions with 10,000 evaluations, over
-/// the distance of the optimum from the origin.
-report::Json shift_data(int runs);
-
 /// Function 1 to 28 of the competition on real-parameter optimisation at CEC 2013, on [-100,
 /// 100]^n, minus its best value, so that the minimum is 0; n is 2, 5, 10, 20, ..., 100. The code is
 /// pagmo's, which is not thread-safe: one problem per thread. Throws std::invalid_argument for
 /// another number or n.
 Problem cec2013(unsigned number, unsigned n);
-
-/// Tan and Zhu's program, the corrected one, EFWA, dynFWA, BBFWA, LoTFWA, MGFWA and FWASSP on six
-/// functions of the competition of CEC 2013, in 30 dimensions, with the results of other
-/// implementations. No rows in a build without pagmo.
-report::Json competition_data(int runs, std::int64_t evaluations);
 
 /// One solver on one problem.
 struct Entry {
@@ -49,15 +47,13 @@ std::vector<std::vector<double>> errors_of(const std::vector<Entry>& entries,
                                            std::int64_t evaluations, int runs,
                                            const std::string& progress);
 
-/// Mean, standard deviation and number of values, with an interval of 95 % for the mean.
+/// Mean, standard deviation and number of values.
 struct Moments {
   double mean, deviation;
   std::size_t runs;
-  double lower, upper;
 };
-RICOCHET_FIELDS(Moments, mean, deviation, runs, lower, upper);
 
-/// Of at least two values, assumed to be normal (Student's t).
+/// Of at least two values.
 Moments moments_of(const std::vector<double>& values);
 
 /// A published mean.
@@ -71,30 +67,19 @@ struct OtherMean {
 /// t, with our degrees of freedom), or below 1e-8, which the competitions of CEC count as zero.
 bool agrees(const Moments& moments, const OtherMean& other);
 
-/// Needle in a haystack: on [0, 1000] a target of width 1 that begins at `target`: 0 inside it and
-/// 1 elsewhere.
-Problem needle(double target);
+struct ComparisonPlan {
+  int runs;              ///< on the functions of 2010, and on the shifted sphere; at least two
+  int competition_runs;  ///< on the functions of CEC 2013; at least two
+  std::int64_t competition_evaluations;
+};
 
-/// The same target, with ceil(log2(1 + distance)) elsewhere: a staircase that leads to it.
-Problem logarithmic_staircase(double target);
-
-/// How often each member of the family, and random search, hits such a target within 1000
-/// evaluations.
-report::Json plateau_data(int runs);
-
-/// Published results of others, from published.json, by the name of the comparison; each with its
-/// `source`.
-const report::Json& published();
-
-/// The functions of Tan and Zhu's Table 3 in 30 dimensions with 10,000 evaluations, from their
-/// start, with the interpretations of the algorithm; compared with their published results.
-report::Json table_3_data(int runs);
+/// The family beside published.json, in 30 dimensions:
+/// - the algorithm of 2010, in three interpretations, on the functions of Tan and Zhu's Table 3;
+/// - EFWA, dynFWA, BBFWA and LoTFWA on six functions of the competition of CEC 2013 (left out in a
+///   build without pagmo);
+/// - every member on Sphere, over the distance of the optimum from the origin.
+/// Tables: variants (a row for each member), results (a row for each published mean) and shift; the
+/// chart shift; and the values that the page names.
+report::Results compared_with_published(const ComparisonPlan& plan);
 
 }  // namespace ricochet::studies::fireworks
-
-namespace ricochet::studies {
-
-/// Compares the fireworks family with published measurements: ten minutes of processor time.
-Study fireworks_study();
-
-}  // namespace ricochet::studies

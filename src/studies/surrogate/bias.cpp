@@ -1,21 +1,16 @@
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <limits>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
-#include "ricochet/run.h"
-#include "ricochet/solver.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
-#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "src/experiment/worker.h"
 #include "src/studies/surrogate/study.h"
 
 namespace ricochet::studies::surrogate {
@@ -23,7 +18,9 @@ namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
+using report::Chart;
+using report::Scale;
+using report::Series;
 
 std::vector<double> over_speeds(const Machine& machine, double smoothing, const BiasPlan& plan) {
   std::vector<double> values(static_cast<std::size_t>(std::lround(fastest_speed / plan.step)));
@@ -85,163 +82,146 @@ BiasStudy study_bias(const BiasPlan& plan) {
 
 namespace {
 
-Json smoothing_data(const Bias& bias) {
-  return {{"smoothing", bias.smoothing},
-          {"error", bias.error},
-          {"rank_correlation", bias.rank_correlation},
-          {"count_optimality_gap", bias.count_optimality_gap},
-          {"count_is_lowest", bias.count_optimality_gap <= 0},
-          {"speed", bias.speed},
-          {"speed_optimality_gap", bias.speed_optimality_gap},
-          {"quiet", bias.speed ? Json(!bias.loud) : Json()}};
-}
+/// Sentences name this smoothing parameter, or the next smaller one of the plan.
+constexpr double usual_smoothing = carrier_track::default_smoothing;
 
-Json case_data(const CaseBias& row) {
-  return {{"id", row.id},
-          {"lowest", row.lowest},
-          {"fastest", row.fastest},
-          {"smoothings", report::list_of(row.biases, smoothing_data)}};
+std::size_t usual_of(const BiasPlan& plan) {
+  const std::size_t last = plan.smoothings.size() - 1;
+  std::size_t usual = 0;
+  while (usual < last && plan.smoothings[usual] > usual_smoothing) ++usual;
+  return usual;
 }
 
 /// Error of the fastest quiet speed over the cases, at one smoothing parameter.
-Json over_cases(const BiasStudy& study, std::size_t smoothing) {
+struct SpeedError {
+  double median, worst;  ///< [rad/s]; of a surrogate that is never quiet, the whole range
+  int loud = 0;          ///< cases
+};
+
+SpeedError speed_error(const BiasStudy& study, std::size_t smoothing) {
   std::vector<double> wrong;
   int loud = 0;
   for (const CaseBias& row : study.cases) {
     const Bias& bias = row.biases[smoothing];
-    wrong.push_back(bias.speed_optimality_gap ? std::abs(*bias.speed_optimality_gap) : 18.0);
+    wrong.push_back(bias.speed_optimality_gap ? std::abs(*bias.speed_optimality_gap)
+                                              : fastest_speed);
     loud += bias.loud ? 1 : 0;
   }
-  return {{"smoothing", study.plan.smoothings[smoothing]},
-          {"median", quantile(wrong, 0.5)},
-          {"worst", *std::max_element(wrong.begin(), wrong.end())},
-          {"loud", loud},
-          {"cases", study.cases.size()}};
+  return {quantile(wrong, 0.5), *std::max_element(wrong.begin(), wrong.end()), loud};
+}
+
+std::string finding_of(const BiasStudy& study) {
+  const std::size_t usual = usual_of(study.plan), last = study.plan.smoothings.size() - 1;
+  const SpeedError wide = speed_error(study, usual), narrow = speed_error(study, last);
+  return fmt::format(
+      "At smoothing parameter {:g} the fastest speed that the surrogate calls quiet is off by "
+      "{:.2f} rad/s in the median of {} cases, by {:.2f} at worst, and truly loud in {}; at {:g} "
+      "it is off by {:.2f} and {:.2f} rad/s, but still truly loud in {}.",
+      study.plan.smoothings[usual], wide.median, study.cases.size(), wide.worst, wide.loud,
+      study.plan.smoothings[last], narrow.median, narrow.worst, narrow.loud);
+}
+
+/// Whether the surrogate errs towards loud speeds.
+std::string side_of(const BiasStudy& study) {
+  int fast = 0, slow = 0, right = 0, never = 0;
+  for (const CaseBias& row : study.cases) {
+    for (const Bias& bias : row.biases) {
+      never += !bias.speed;
+      if (!bias.speed) continue;
+      const double half_step = 0.5 * study.plan.step;
+      fast += *bias.speed_optimality_gap < -half_step;
+      slow += *bias.speed_optimality_gap > half_step;
+      right += std::abs(*bias.speed_optimality_gap) <= half_step;
+    }
+  }
+  const std::string unquiet =
+      never > 0 ? fmt::format(" In {} it calls no speed quiet.", never) : std::string();
+  return fmt::format(
+      "In {} of {} pairs of a case and a smoothing parameter the surrogate's fastest quiet speed "
+      "is "
+      "too high, in {} too low and in {} right to {:g} rad/s.{}",
+      fast, fast + slow + right + never, slow, right, study.plan.step, unquiet);
+}
+
+std::string at_minimum(const BiasStudy& study) {
+  std::size_t all = 0, higher = 0;
+  double most = 0;
+  for (const CaseBias& row : study.cases) {
+    for (const Bias& bias : row.biases) {
+      ++all;
+      higher += bias.count_optimality_gap > 0;
+      most = std::max(most, bias.count_optimality_gap);
+    }
+  }
+  const std::string where = "The count where the surrogate has its minimum is ";
+  if (higher == 0) {
+    return where + "the lowest of all speeds, in every case and at every smoothing parameter.";
+  }
+  return where + fmt::format(
+                     "above the lowest of all speeds in {} of {} pairs of a case and a smoothing "
+                     "parameter, by up to {:.0f}.",
+                     higher, all, most);
+}
+
+Chart speed_gap_chart(const BiasStudy& study) {
+  const std::size_t usual = usual_of(study.plan);
+  const SpeedError error = speed_error(study, usual);
+  Chart chart{
+      .name = "speed-gap",
+      .title = fmt::format("At smoothing parameter {:g} the fastest quiet speed is {:.2f} rad/s "
+                           "off at worst, {:.2f} in the median",
+                           study.plan.smoothings[usual], error.worst, error.median),
+      .x = {"smoothing parameter", Scale::logarithmic},
+      .y = {"off by [rad/s]"},
+      .width = 760,
+      .height = 340};
+  for (const CaseBias& row : study.cases) {
+    Series& series = chart.series.emplace_back(Series{row.id, report::Mark::line, {}});
+    for (const Bias& bias : row.biases) {
+      const auto gap = bias.speed_optimality_gap;
+      series.samples.push_back({bias.smoothing, gap ? std::optional(std::abs(*gap)) : gap});
+    }
+    std::ranges::reverse(series.samples);
+  }
+  return chart;
 }
 
 }  // namespace
 
-Json data_of(const BiasStudy& study) {
-  const std::size_t last = study.plan.smoothings.size() - 1;
-  std::size_t usual = 0;
-  while (usual < last && study.plan.smoothings[usual] > 0.25) ++usual;
-  return {{"usual", over_cases(study, usual)},
-          {"narrowest", over_cases(study, last)},
-          {"speeds", std::lround(18 / study.plan.step)},
-          {"smoothings", study.plan.smoothings.size()},
-          {"cases", report::list_of(study.cases, case_data)}};
-}
-
-namespace {
-
-/// Solvers with derivatives and constraints, alone and with continuation.
-std::vector<Solver> compared_solvers() {
-  std::vector<Solver> solvers;
-  for (Solver& solver : all_solvers()) {
-    const std::string& name = solver.name;
-    if (name == "nlopt-slsqp" || name == "ipopt-tuned" || name.rfind("continuation-", 0) == 0) {
-      solvers.push_back(std::move(solver));
+void add_to(report::Results& results, const BiasStudy& study) {
+  Table biases{"bias",
+               {{"case"},
+                {"lowest", "lowest count"},
+                {"fastest", "truly quiet up to [rad/s]", ".2f"},
+                {"smoothing", "smoothing parameter", "g"},
+                {"error", "mean distance from the count", ".3f", 4},
+                {"rank_correlation", "rank correlation", ".4f"},
+                {"count_optimality_gap", "count at its minimum, above the lowest", ".0f"},
+                {"speed", "fastest speed it calls quiet [rad/s]", ".2f"},
+                {"speed_optimality_gap", "short of the true one by [rad/s]", "+.2f"},
+                {"quiet", "truly quiet there"}}};
+  Table speeds{"quiet-speeds", {{"case"}, {"fastest", "truly", ".2f"}}};
+  for (const double smoothing : study.plan.smoothings) {
+    speeds.columns.push_back(
+        {fmt::format("at_{:g}", smoothing), fmt::format("at {:g}", smoothing), ".2f"});
+  }
+  for (const CaseBias& row : study.cases) {
+    std::vector<Value> cells = {value_of(row.id), value_of(row.fastest)};
+    for (const Bias& bias : row.biases) {
+      biases.add(row.id, row.lowest, row.fastest, bias.smoothing, bias.error, bias.rank_correlation,
+                 bias.count_optimality_gap, bias.speed, bias.speed_optimality_gap,
+                 bias.speed ? std::optional(!bias.loud) : std::nullopt);
+      cells.push_back(value_of(bias.speed));
     }
+    speeds.add_row(std::move(cells));
   }
-  return solvers;
-}
-
-}  // namespace
-
-ContinuationRuns runs_of(const std::string& id, const Problem& problem,
-                         const std::vector<RunRecord>& records) {
-  ContinuationRuns runs{id, records.front().solver, records.front().budget.evaluations, 0, 0, {}};
-  for (const RunRecord& record : records) {
-    const Verdict verdict = judge(record, problem, speed_tolerance);
-    runs.solved += verdict.solved;
-    runs.worst_optimality_gap =
-        std::max(runs.worst_optimality_gap,
-                 verdict.optimality_gap.value_or(std::numeric_limits<double>::infinity()));
-    if (!verdict.solved && runs.exit.empty() && !record.terminations.empty()) {
-      runs.exit = record.terminations.back().reason;
-    }
-  }
-  return runs;
-}
-
-ContinuationStudy study_continuation(const ContinuationPlan& plan) {
-  ContinuationStudy study{plan, {}};
-  const std::vector<Solver> solvers = compared_solvers();
-  struct Entry {
-    std::string id;
-    Problem problem;
-  };
-  std::vector<Entry> entries;
-  for (const Machine& machine : all_machines()) {
-    if (!find_case(machine.id).claim.threshold) continue;
-    entries.push_back({machine.id, top_speed_problem(machine).formulated({default_smoothing})});
-  }
-  std::deque<Problem> problems;  // addresses must remain valid: the jobs refer to them
-  std::vector<Job> jobs;
-  for (const Entry& entry : entries) {
-    for (const Solver& solver : solvers) {
-      for (const long budget : plan.budgets) {
-        for (int i = 1; i <= plan.instances; ++i) {
-          problems.push_back(instance(entry.problem, i));
-          jobs.push_back({&problems.back(), &solver, Budget{budget}, 0});
-        }
-      }
-    }
-  }
-  Progress progress("continuation", static_cast<double>(jobs.size()));
-  const std::vector<RunRecord> records = run_all(jobs, progress);
-  auto next = records.begin();
-  for (const Entry& entry : entries) {
-    for (std::size_t k = 0; k < solvers.size() * plan.budgets.size(); ++k) {
-      study.rows.push_back(runs_of(entry.id, entry.problem, {next, next + plan.instances}));
-      next += plan.instances;
-    }
-  }
-  return study;
-}
-
-Json data_of(const ContinuationStudy& study) {
-  const std::vector<ContinuationRuns>& rows = study.rows;
-  const auto columns = static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(),
-                    [&](const ContinuationRuns& row) { return row.id == rows.front().id; }));
-  Json data = {{"tolerance", speed_tolerance},
-               {"instances", study.plan.instances},
-               {"evaluations", study.plan.budgets.back()},
-               {"columns", Json::array()},
-               {"longest", Json::array()},
-               {"cases", Json::array()},
-               {"failures", Json::array()}};
-  std::vector<int> solved(columns);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const ContinuationRuns& row = rows[k];
-    const int failed = study.plan.instances - row.solved;
-    if (k % columns == 0) data["cases"].push_back({{"id", row.id}, {"runs", Json::array()}});
-    data["cases"].back()["runs"].push_back(
-        {{"solved", row.solved}, {"share", nullptr}, {"all", failed == 0 ? Json(true) : Json()}});
-    if (failed > 0 && row.solver.starts_with("continuation-")) {
-      data["failures"].push_back(
-          {{"id", row.id},
-           {"solver", row.solver},
-           {"budget", row.budget},
-           {"failed", failed},
-           {"worst",
-            std::isfinite(row.worst_optimality_gap) ? Json(row.worst_optimality_gap) : Json()},
-           {"exit", row.exit}});
-    }
-    solved[k % columns] += row.solved;
-  }
-  const double runs = static_cast<double>(rows.size() / columns) * study.plan.instances;
-  Json all = {{"id", "all"}, {"runs", Json::array()}};
-  for (std::size_t k = 0; k < columns; ++k) {
-    const double share = solved[k] / runs;
-    const Json column = {{"solver", rows[k].solver}, {"budget", rows[k].budget}, {"share", share}};
-    data["columns"].push_back(column);
-    if (rows[k].budget == study.plan.budgets.back()) data["longest"].push_back(column);
-    all["runs"].push_back({{"solved", solved[k]}, {"share", share}, {"all", nullptr}});
-  }
-  data["cases"].push_back(std::move(all));
-  return data;
+  results.set("finding", finding_of(study));
+  results.set("bias-side", side_of(study));
+  results.set("at-minimum", at_minimum(study));
+  results.set("speeds", std::lround(fastest_speed / study.plan.step));
+  results.add(std::move(biases));
+  results.add(std::move(speeds));
+  results.add(speed_gap_chart(study));
 }
 
 }  // namespace ricochet::studies::surrogate

@@ -1,5 +1,6 @@
 #include "src/studies/surrogate/continuity.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -19,7 +20,6 @@ namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 /// Counts impacts on another wall than the one before.
 struct StrikeCounter : Observer {
@@ -150,10 +150,11 @@ ContinuityStudy study_continuity(const ContinuityPlan& plan) {
 namespace {
 
 struct Kind {
-  const char* name;
+  const char* name;  ///< for readers
   std::vector<std::vector<double>> ContinuityRow::*jumps;
 };
-constexpr Kind kinds[] = {{"steepest", &ContinuityRow::jumps}, {"birth", &ContinuityRow::births}};
+constexpr Kind kinds[] = {{"steepest", &ContinuityRow::jumps},
+                          {"new strike", &ContinuityRow::births}};
 
 /// The jumps of all cases at one smoothing parameter, in rising order.
 std::vector<double> jumps_of(const ContinuityStudy& study, const Kind& kind,
@@ -167,19 +168,6 @@ std::vector<double> jumps_of(const ContinuityStudy& study, const Kind& kind,
   return all;
 }
 
-Json data_of(const ContinuityRow& row) {
-  Json jumps = Json::array();
-  for (const auto& of_smoothing : row.jumps) {
-    jumps.push_back({{"jump", quantile(of_smoothing, 0.99)}, {"small", nullptr}});
-    jumps.push_back(
-        {{"jump", of_smoothing.back()}, {"small", of_smoothing.back() <= largest_allowed}});
-  }
-  return {{"id", row.id},
-          {"segments", row.segments},
-          {"count_jumps", static_cast<double>(row.count_jumps) / static_cast<double>(row.segments)},
-          {"jumps", std::move(jumps)}};
-}
-
 /// The weight at a smoothing parameter of an impact with the speed of the last bounces before rest.
 double weight_at_rest(double smoothing) {
   return carrier_track::step(
@@ -187,80 +175,93 @@ double weight_at_rest(double smoothing) {
       smoothing);
 }
 
+/// Number of values above the limit.
+std::size_t larger_than(double limit, const std::vector<double>& rising) {
+  return static_cast<std::size_t>(rising.end() -
+                                  std::upper_bound(rising.begin(), rising.end(), limit));
+}
+
+/// Share of the values above limits from 1e-16 to 1, up to the first that none exceeds.
+std::vector<report::Sample> tail_of(const std::vector<double>& rising) {
+  std::vector<report::Sample> tail;
+  for (int k = 0; k <= 64; ++k) {
+    const double limit = 1e-16 * std::pow(10.0, 0.25 * k);
+    const std::size_t larger = larger_than(limit, rising);
+    if (larger == 0) break;
+    tail.push_back({limit, static_cast<double>(larger) / static_cast<double>(rising.size())});
+  }
+  return tail;
+}
+
 }  // namespace
 
-Json data_of(const ContinuityStudy& study) {
-  const std::vector<double>& smoothings = study.plan.smoothings;
-  const double widest = *std::max_element(smoothings.begin(), smoothings.end());
-  Json data = {{"allowed", largest_allowed}, {"resting_speed", carrier_track::resting_speed},
-               {"widest", widest},           {"weight_at_rest", weight_at_rest(widest)},
-               {"seed", study.plan.seed},    {"columns", Json::array()},
-               {"worst", Json::array()},     {"smoothings", Json::array()},
-               {"cases", Json::array()},     {"tails", Json::array()}};
-  std::size_t births = 0;
-  std::size_t larger = 0;
-  for (std::size_t w = 0; w < smoothings.size(); ++w) {
-    double worst = 0;
+void add_to(report::Results& results, const ContinuityStudy& study) {
+  std::size_t segments = 0, count_jumps = 0;
+  std::vector<double> exponents;
+  for (const ContinuityRow& row : study.rows) {
+    segments += row.segments;
+    count_jumps += row.count_jumps;
+    exponents.insert(exponents.end(), row.exponents.begin(), row.exponents.end());
+  }
+  Table table{"continuity",
+              {{"smoothing", "smoothing parameter", "g"},
+               {"where", "place"},
+               {"segments"},
+               {"half", "median", ".1e"},
+               {"of_10", "0.9 quantile", ".1e"},
+               {"of_100", "0.99", ".1e"},
+               {"of_1000", "0.999", ".1e"},
+               {"all", "largest", ".1e"}}};
+  report::Chart chart{
+      .name = "continuity",
+      .title = "",
+      .x = {"jump of the surrogate [impacts]", report::Scale::logarithmic, report::Range{1e-16, 1}},
+      .y = {"share of the jumps", report::Scale::logarithmic},
+      .lines = {{report::Direction::vertical, largest_allowed, "allowed"},
+                {report::Direction::vertical, 1, "the count's jump"}},
+      .width = 640};
+  std::size_t births = 0, larger = 0;
+  double worst = 0;
+  for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w) {
+    const double smoothing = study.plan.smoothings[w];
     for (const Kind& kind : kinds) {
       const std::vector<double> jumps = jumps_of(study, kind, w);
       if (jumps.empty()) continue;
       if (kind.jumps == &ContinuityRow::births) births += jumps.size();
       larger += larger_than(largest_allowed, jumps);
       worst = std::max(worst, jumps.back());
-      data["tails"].push_back(
-          {{"smoothing", smoothings[w]}, {"where", kind.name}, {"tail", tail_of(jumps)}});
-      data["smoothings"].push_back({{"smoothing", smoothings[w]},
-                                    {"where", kind.name},
-                                    {"segments", jumps.size()},
-                                    {"half", quantile(jumps, 0.5)},
-                                    {"of_10", quantile(jumps, 0.9)},
-                                    {"of_100", quantile(jumps, 0.99)},
-                                    {"of_1000", quantile(jumps, 0.999)},
-                                    {"all", jumps.back()},
-                                    {"small", jumps.back() <= largest_allowed}});
+      chart.series.push_back(
+          {fmt::format("at {:g}, {}", smoothing, kind.name), report::Mark::line, tail_of(jumps)});
+      table.add(smoothing, kind.name, jumps.size(), quantile(jumps, 0.5), quantile(jumps, 0.9),
+                quantile(jumps, 0.99), quantile(jumps, 0.999), jumps.back());
     }
-    data["worst"].push_back({{"smoothing", smoothings[w]}, {"jump", worst}});
-    data["columns"].push_back({{"smoothing", smoothings[w]}, {"share", 0.99}});
-    data["columns"].push_back({{"smoothing", smoothings[w]}, {"share", nullptr}});
   }
-  std::size_t segments = 0;
-  std::size_t count_jumps = 0;
-  std::vector<double> exponents;
-  for (const ContinuityRow& row : study.rows) {
-    segments += row.segments;
-    count_jumps += row.count_jumps;
-    exponents.insert(exponents.end(), row.exponents.begin(), row.exponents.end());
-    data["cases"].push_back(data_of(row));
-  }
-  data["segments"] = segments;
-  data["count_jumps"] = static_cast<double>(count_jumps) / static_cast<double>(segments);
-  data["births"] = births;
-  data["larger"] = larger > 0 ? Json(larger) : Json();
-  data["exponents"] = nullptr;
-  if (!exponents.empty()) {
-    data["exponents"] = {{"median", quantile(exponents, 0.5)},
-                         {"low", std::count_if(exponents.begin(), exponents.end(),
-                                               [](double p) { return p < 0.4; })},
-                         {"all", exponents.size()}};
-  }
-  return data;
-}
-
-report::Json tail_of(const std::vector<double>& rising) {
-  report::Json tail = report::Json::array();
-  for (int k = 0; k <= 64; ++k) {
-    const double limit = 1e-16 * std::pow(10.0, 0.25 * k);
-    const std::size_t larger = larger_than(limit, rising);
-    if (larger == 0) break;
-    tail.push_back({{"limit", limit},
-                    {"share", static_cast<double>(larger) / static_cast<double>(rising.size())}});
-  }
-  return tail;
-}
-
-std::size_t larger_than(double limit, const std::vector<double>& rising) {
-  return static_cast<std::size_t>(rising.end() -
-                                  std::upper_bound(rising.begin(), rising.end(), limit));
+  chart.title = fmt::format("{} of {} changes between neighbouring numbers are above {:.0e}",
+                            larger, segments + births, largest_allowed);
+  const double widest = *std::ranges::max_element(study.plan.smoothings);
+  results.set("continuous",
+              larger == 0 ? fmt::format("Yes, up to rounding: no change between two neighbouring "
+                                        "numbers is above {:.0e} impacts.",
+                                        largest_allowed)
+                          : fmt::format("Not shown: {} changes between two neighbouring numbers "
+                                        "are above {:.0e} impacts.",
+                                        larger, largest_allowed));
+  results.set("jump-worst", worst);
+  results.set("segments", segments);
+  results.set("count-jumps", static_cast<double>(count_jumps) / static_cast<double>(segments));
+  results.set("births", births);
+  results.set("resting-speed", carrier_track::resting_speed);
+  results.set("widest", widest);
+  results.set("weight-at-rest", weight_at_rest(widest));
+  results.set("continuity-seed", study.plan.seed);
+  using Number = std::optional<double>;
+  const bool known = !exponents.empty();
+  const auto low = std::ranges::count_if(exponents, [](double p) { return p < 0.4; });
+  results.set("exponent-median", known ? Number(quantile(exponents, 0.5)) : Number());
+  results.set("exponents-low", low);
+  results.set("exponents", exponents.size());
+  results.add(std::move(table));
+  results.add(std::move(chart));
 }
 
 }  // namespace ricochet::studies::surrogate

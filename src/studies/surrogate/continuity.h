@@ -9,7 +9,7 @@
 
 #include "ricochet/random.h"
 #include "ricochet/scene.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Is the surrogate continuous where the count jumps?
 namespace ricochet::studies::surrogate {
@@ -79,13 +79,8 @@ struct ContinuityStudy {
 /// smoothing parameters, in turn: about 65 to 120 simulations.
 ContinuityStudy study_continuity(const ContinuityPlan& plan);
 
-report::Json data_of(const ContinuityStudy& study);
-
-/// Share of the values above limits from 1e-16 to 1: rows of limit and share.
-report::Json tail_of(const std::vector<double>& rising);
-
-/// Number of values above the limit.
-std::size_t larger_than(double limit, const std::vector<double>& rising);
+/// Adds the table and the chart continuity, and the values that the page's section names.
+void add_to(report::Results& results, const ContinuityStudy& study);
 
 struct Point {
   double x, y;

@@ -1,5 +1,6 @@
 #include "src/studies/surrogate/derivative_check.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -21,8 +22,6 @@
 namespace ricochet::studies::surrogate {
 
 namespace {
-
-using report::Json;
 
 /// A relative error above this is not due to rounding.
 constexpr double digits_lost = 1e-3;
@@ -173,8 +172,8 @@ DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan) {
         DerivativeErrors& row = function == 0 ? objective : constraints;
         row.errors.push_back(comparison.relative());
         ++row.by_cause[static_cast<std::size_t>(comparison.cause)];
-        if (comparison.cause == Cause::none) continue;
-        study.outliers.push_back({problems[comparison.problem].name, comparison, at.point});
+        if (comparison.cause != Cause::unexplained) continue;
+        study.unexplained.push_back({problems[comparison.problem].name, comparison, at.point});
       }
     }
     study.points += points;
@@ -186,82 +185,74 @@ DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan) {
     }
     progress.advance(1);
   }
-  std::stable_sort(study.outliers.begin(), study.outliers.end(),
-                   [](const Outlier& a, const Outlier& b) {
-                     const bool known_a = a.comparison.cause != Cause::unexplained;
-                     const bool known_b = b.comparison.cause != Cause::unexplained;
-                     if (known_a != known_b) return known_b;
-                     return a.comparison.relative() > b.comparison.relative();
-                   });
   return study;
 }
 
 namespace {
 
-constexpr std::array<const char*, causes> cause_names = {"none", "flat", "short reach", "rounding",
-                                                         "unexplained"};
-
-Json data_of(const DerivativeErrors& row) {
-  const auto of = [&](Cause cause) { return row.by_cause[static_cast<std::size_t>(cause)]; };
-  return {{"family", row.family},
-          {"function", row.function},
-          {"points", row.points},
-          {"median", quantile(row.errors, 0.5)},
-          {"of_10", quantile(row.errors, 0.9)},
-          {"of_100", quantile(row.errors, 0.99)},
-          {"worst", quantile(row.errors, 1.0)},
-          {"flat", of(Cause::flat)},
-          {"reach", of(Cause::reach)},
-          {"rounding", of(Cause::rounding)},
-          {"unexplained", of(Cause::unexplained)},
-          {"explained", of(Cause::unexplained) == 0}};
+std::size_t outliers_of(const DerivativeErrors& row, Cause cause) {
+  return row.by_cause[static_cast<std::size_t>(cause)];
 }
 
-Json data_of(const Outlier& outlier) {
-  const Comparison& c = outlier.comparison;
-  return {{"problem", outlier.problem},
-          {"at", outlier.point[0]},
-          {"exact", c.exact},
-          {"difference", c.difference},
-          {"error", c.error},
-          {"reach", c.trust.reach},
-          {"cause", cause_names[static_cast<std::size_t>(c.cause)]},
-          {"explained", c.cause == Cause::unexplained ? Json(false) : Json()}};
-}
-
-Json tail_data(const DerivativeErrors& row) {
-  return {{"family", row.family}, {"function", row.function}, {"tail", tail_of(row.errors)}};
+void add_row(Table& table, const DerivativeErrors& row) {
+  table.add(row.family, row.function, row.points, row.errors.size(), quantile(row.errors, 0.5),
+            quantile(row.errors, 0.9), quantile(row.errors, 0.99), quantile(row.errors, 1.0),
+            outliers_of(row, Cause::flat), outliers_of(row, Cause::reach),
+            outliers_of(row, Cause::rounding), outliers_of(row, Cause::unexplained));
 }
 
 }  // namespace
 
-Json data_of(const DerivativeCheckStudy& study) {
+void add_to(report::Results& results, const DerivativeCheckStudy& study) {
+  Table table{"derivatives",
+              {{"family"},
+               {"function", "of its"},
+               {"points"},
+               {"derivatives"},
+               {"median", "median", ".1e"},
+               {"of_10", "0.9 quantile", ".1e"},
+               {"of_100", "0.99", ".1e"},
+               {"worst", "largest", ".1e"},
+               {"flat"},
+               {"reach", "short reach"},
+               {"rounding"},
+               {"unexplained"}}};
   DerivativeErrors total{"all", "", study.points, {}, {}};
-  Json rows = Json::array();
   for (const DerivativeErrors& row : study.rows) {
-    rows.push_back(data_of(row));
+    add_row(table, row);
     total.errors.insert(total.errors.end(), row.errors.begin(), row.errors.end());
     for (std::size_t c = 0; c < causes; ++c) total.by_cause[c] += row.by_cause[c];
   }
   std::sort(total.errors.begin(), total.errors.end());
-  rows.push_back(data_of(total));
-  Json shown = Json::array();
-  for (std::size_t k = 0; k < std::min<std::size_t>(20, study.outliers.size()); ++k) {
-    shown.push_back(data_of(study.outliers[k]));
+  add_row(table, total);
+  Table unexplained{"unexplained",
+                    {{"problem", "without a known reason: problem"},
+                     {"at", "at, first coordinate", ".9g", 11},
+                     {"exact", "exact", ".6g"},
+                     {"difference", "by differences", ".6g"},
+                     {"error", "their own error", ".0e"},
+                     {"reach", "reach", ".0e"}}};
+  for (const Outlier& one : study.unexplained) {
+    const Comparison& c = one.comparison;
+    unexplained.add(one.problem, one.point[0], c.exact, c.difference, c.error, c.trust.reach);
   }
-  return {{"families", study.families},
-          {"derivatives", total.errors.size()},
-          {"all", rows.back()},
-          {"outlier", outlier},
-          {"nothing", nothing},
-          {"first_step", first_step},
-          {"steps", Extrapolation<>::levels},
-          {"seed", study.seed},
-          {"rows", rows},
-          {"outliers", study.outliers.size()},
-          {"shown", shown.size()},
-          {"first_outliers", std::move(shown)},
-          {"tails", report::list_of(study.rows, tail_data)}};
+  results.set("points", study.points);
+  results.set("families", study.families);
+  results.set("derivatives", total.errors.size());
+  results.set("derivative-median", quantile(total.errors, 0.5));
+  results.set("derivative-of-100", quantile(total.errors, 0.99));
+  results.set("outlier", outlier);
+  results.set("outliers", total.errors.size() - outliers_of(total, Cause::none));
+  results.set("flat-outliers", outliers_of(total, Cause::flat));
+  results.set("reach-outliers", outliers_of(total, Cause::reach));
+  results.set("rounding-outliers", outliers_of(total, Cause::rounding));
+  results.set("unexplained-outliers", unexplained.rows.size());
+  results.set("first-step", first_step);
+  results.set("steps", Extrapolation<>::levels);
+  results.set("nothing", nothing);
+  results.set("derivative-seed", study.seed);
+  results.add(std::move(table));
+  results.add(std::move(unexplained));
 }
 
 namespace {
@@ -342,83 +333,101 @@ std::vector<Finding> findings_of(const Machine& machine, double smoothing,
 }  // namespace
 
 GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
-  GradientDoubtStudy study{plan, {}, {}, {}, {}};
+  GradientDoubtStudy study{plan, {}, {}};
   const std::vector<Machine> machines = all_machines();
   Progress progress("gradient validity",
-                    static_cast<double>(machines.size() * (plan.smoothings.size() + 1)));
+                    static_cast<double>(machines.size() * plan.smoothings.size()));
   const auto size = static_cast<std::size_t>(plan.points);
-  std::vector<std::vector<double>> errors(plan.steps.size());
-  std::vector<Finding> all;
-  for (const Machine& machine : machines) {
-    const auto findings = findings_of(machine, default_smoothing, plan);
-    CaseQuality& row = study.rows.emplace_back(CaseQuality{machine.id, {}});
-    for (std::size_t first = 0; first < findings.size(); first += size) {
-      row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
-    }
-    for (const Finding& f : findings) {
-      if (f.slope.trust.doubt == GradientDoubt::flat) continue;
-      for (std::size_t s = 0; s < errors.size(); ++s) errors[s].push_back(f.errors[s]);
-    }
-    all.insert(all.end(), findings.begin(), findings.end());
-    progress.advance(1);
-  }
-  study.all = sum_of(all);
-  for (std::size_t s = 0; s < errors.size(); ++s) {
-    study.step_errors.push_back(
-        {plan.steps[s], quantile(errors[s], 0.5), quantile(errors[s], 0.9)});
-  }
   for (const double smoothing : plan.smoothings) {
-    std::vector<Finding> every;
+    std::vector<Finding> all;
     for (const Machine& machine : machines) {
-      for (Finding& f : findings_of(machine, smoothing, plan)) every.push_back(std::move(f));
+      const auto findings = findings_of(machine, smoothing, plan);
+      if (smoothing == default_smoothing) {
+        CaseQuality& row = study.rows.emplace_back(CaseQuality{machine.id, {}});
+        for (std::size_t first = 0; first < findings.size(); first += size) {
+          row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
+        }
+      }
+      all.insert(all.end(), findings.begin(), findings.end());
       progress.advance(1);
     }
-    study.by_smoothing.push_back(sum_of(every));
+    study.by_smoothing.push_back(sum_of(all));
   }
   return study;
 }
 
 namespace {
 
-/// Shares of the points, but `trending` is a share of those that have a trend.
-Json quality_data(const GradientQuality& q) {
-  const auto share = [](int part, int whole) {
-    return whole > 0 ? Json(static_cast<double>(part) / whole) : Json();
-  };
+std::optional<double> share(int part, int whole) {
+  return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
+}
+
+void add_row(Table& table, double smoothing, const GradientQuality& q) {
   const auto doubted = [&](GradientDoubt doubt) {
     return share(q.doubts[static_cast<std::size_t>(doubt)], q.points);
   };
-  return {{"points", q.points},
-          {"agreeing", share(q.agreeing, q.points)},
-          {"flat", doubted(GradientDoubt::flat)},
-          {"kink", doubted(GradientDoubt::kink)},
-          {"sensitive", doubted(GradientDoubt::sensitive)},
-          {"trending", share(q.right, q.trending)},
-          {"reach", std::pow(10.0, q.log_reach)},
-          {"log_reach", q.log_reach}};
+  table.add(smoothing, q.points, share(q.agreeing, q.points), doubted(GradientDoubt::flat),
+            doubted(GradientDoubt::kink), doubted(GradientDoubt::sensitive),
+            share(q.right, q.points), share(q.trending - q.right, q.points),
+            share(q.points - q.trending, q.points), share(q.right, q.trending),
+            std::pow(10.0, q.log_reach));
+}
+
+/// Share of right signs by case and speed; a cell without a trend has no value.
+report::Chart trend_chart(const GradientDoubtStudy& study, const GradientQuality& all) {
+  report::Chart chart{
+      .name = "validity-trend",
+      .title = fmt::format("The gradient has the sign of the count's trend at {:.0f} % of all "
+                           "points; {:.0f} % have no trend or a flat gradient",
+                           100 * share(all.right, all.points).value_or(0),
+                           100 * share(all.points - all.trending, all.points).value_or(0)),
+      .x = {"speed [rad/s]"},
+      .y = {"case"},
+      .heat_map = report::HeatMap{"same sign [%]", {}, report::Range{0, 100}},
+      .height = 360};
+  for (int k = 0; k < study.plan.cells; ++k) {
+    chart.x.categories.push_back(
+        fmt::format("{:.3g}", (k + 0.5) * (fastest_speed / study.plan.cells)));
+  }
+  for (const CaseQuality& row : study.rows) {
+    chart.y.categories.push_back(row.id);
+    auto& cells = chart.heat_map->rows.emplace_back();
+    for (const GradientQuality& cell : row.cells) {
+      cells.push_back(share(100 * cell.right, cell.trending));
+    }
+  }
+  return chart;
 }
 
 }  // namespace
 
-Json data_of(const GradientDoubtStudy& study) {
-  Json smoothings = Json::array();
+void add_to(report::Results& results, const GradientDoubtStudy& study) {
+  Table table{"validity",
+              {{"smoothing", "smoothing parameter", "g"},
+               {"points"},
+               {"agreeing", "agrees with differences [%]", ".1%"},
+               {"flat", "flat [%]", ".1%"},
+               {"kink", "next to a kink [%]", ".1%"},
+               {"sensitive", "sensitive [%]", ".1%"},
+               {"right", "sign of the count's trend [%]", ".1%"},
+               {"wrong", "other sign [%]", ".1%"},
+               {"no_trend", "nothing to compare [%]", ".1%"},
+               {"trending", "right, of those with a trend [%]", ".1%"},
+               {"reach", "median reach, part of the range", ".1e", 4}}};
   for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w) {
-    smoothings.push_back({{"smoothing", study.plan.smoothings[w]}});
-    smoothings.back().update(quality_data(study.by_smoothing[w]));
+    const double smoothing = study.plan.smoothings[w];
+    const GradientQuality& q = study.by_smoothing[w];
+    add_row(table, smoothing, q);
+    if (smoothing != default_smoothing) continue;
+    results.set("gradients", q.points);
+    results.set("gradients-right", share(q.right, q.points));
+    results.set("gradients-wrong", share(q.trending - q.right, q.points));
+    results.set("gradients-without-trend", share(q.points - q.trending, q.points));
+    results.set("gradients-agreeing", share(q.agreeing, q.points));
+    results.set("usual-smoothing", smoothing);
+    results.add(trend_chart(study, q));
   }
-  Json speeds = Json::array();
-  for (int k = 0; k < study.plan.cells; ++k) {
-    speeds.push_back((k + 0.5) * (fastest_speed / study.plan.cells));
-  }
-  const auto case_data = [](const CaseQuality& row) -> Json {
-    return {{"id", row.id}, {"cells", report::list_of(row.cells, quality_data)}};
-  };
-  return {{"all", quality_data(study.all)},
-          {"smoothings", std::move(smoothings)},
-          {"speeds", std::move(speeds)},
-          {"cases", report::list_of(study.rows, case_data)},
-          {"steps", study.step_errors},
-          {"best_step", std::ranges::min(study.step_errors, {}, &StepError::median)}};
+  results.add(std::move(table));
 }
 
 }  // namespace ricochet::studies::surrogate

@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Are the derivatives correct? Compares exact ones with differences, at random points of every
 /// problem.
@@ -82,22 +81,23 @@ struct DerivativeCheckStudy {
   std::size_t families = 0;
   std::uint64_t seed = 0;
   std::vector<DerivativeErrors> rows;  ///< for each family its objective, then its constraints
-  std::vector<Outlier> outliers;       ///< the unexplained first, then by falling relative error
+  std::vector<Outlier> unexplained;
 };
 
 /// In parallel, with the same bits for any number of threads.
 DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan);
 
-/// Of a study that compared something.
-report::Json data_of(const DerivativeCheckStudy& study);
+/// Adds the tables derivatives and unexplained, and the values that the page's section names. Of a
+/// study that compared something.
+void add_to(report::Results& results, const DerivativeCheckStudy& study);
 
 // Where is the surrogate's gradient meaningful? Over all cases and speeds.
 
 struct GradientDoubtPlan {
   int cells;                       ///< of the range of speeds, for the maps
   int points;                      ///< in a cell
-  std::vector<double> smoothings;  ///< for the table; the maps are of default_smoothing
-  std::vector<double> steps;       ///< of differences, as shares of the range of speeds, falling
+  std::vector<double> smoothings;  ///< with default_smoothing, of which the map is
+  std::vector<double> steps;       ///< of differences, as shares of the range of speeds
 };
 
 /// Quality of the gradient at points of one cell, or of one smoothing parameter.
@@ -115,24 +115,16 @@ struct CaseQuality {
   std::vector<GradientQuality> cells;  ///< by speed
 };
 
-/// Relative error of central differences of one step, over all points.
-struct StepError {
-  double step;
-  double median, upper;  ///< the latter the 0.9 quantile
-};
-RICOCHET_FIELDS(StepError, step, median, upper);
-
 struct GradientDoubtStudy {
   GradientDoubtPlan plan;
-  std::vector<CaseQuality> rows;
-  GradientQuality all;                        ///< of all cases
+  std::vector<CaseQuality> rows;              ///< at default_smoothing
   std::vector<GradientQuality> by_smoothing;  ///< of all cases
-  std::vector<StepError> step_errors;
 };
 
 GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan);
 
-report::Json data_of(const GradientDoubtStudy& study);
+/// Adds the table validity, the chart validity-trend, and the values that the page's section names.
+void add_to(report::Results& results, const GradientDoubtStudy& study);
 
 /// Uniform in [a, b), from the generator's bits only: the same on every platform.
 inline double within(Random& random, double a, double b) {

@@ -1,5 +1,6 @@
 #include "src/studies/surrogate/grazes.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,7 +18,6 @@ namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 constexpr double jump = 0.02;    // of a strike's time, in windows
 constexpr double gentle = 1e-3;  // a graze's strike, in limits from which one counts
@@ -125,101 +125,71 @@ GrazeStudy study_grazes(const GrazePlan& plan) {
 
 namespace {
 
-/// The slopes that are not zero, at one smoothing parameter: of the first graze of each case that
-/// is followed by counted impacts, and on the side where the wall is missed, of all of these.
-Json slopes_of(const GrazeStudy& study, std::size_t smoothing) {
-  Json hits = Json::array(), missed = Json::array();
-  const auto add = [](const Approach& at, double slope, Json& rows) {
-    if (slope != 0) rows.push_back({{"distance", at.distance}, {"slope", std::abs(slope)}});
-  };
-  std::string shown;
+/// How the slope behaves at one smoothing parameter.
+void add_growth(Table& table, const GrazeStudy& study, std::size_t smoothing) {
+  std::size_t growing = 0;
+  std::optional<double> least, most, steepest;
   for (const GrazeRow& row : study.rows) {
-    if (!row.followed() || row.id == shown) continue;
-    shown = row.id;
-    Json hit = Json::array();
-    for (const Approach& at : row.approaches[smoothing]) {
-      add(at, at.hit_slope, hit);
-      add(at, at.missed_slope, missed);
-    }
-    hits.push_back({{"id", row.id}, {"omega", row.graze.omega}, {"slopes", std::move(hit)}});
+    if (!row.grows(smoothing)) continue;
+    ++growing;
+    const double exponent = *row.exponents[smoothing];
+    least = std::min(least.value_or(exponent), exponent);
+    most = std::max(most.value_or(exponent), exponent);
+    const double slope = std::abs(row.approaches[smoothing].back().hit_slope);
+    steepest = std::max(steepest.value_or(slope), slope);
   }
-  return {{"number", smoothing + 1},
-          {"smoothing", study.plan.smoothings[smoothing]},
-          {"hits", std::move(hits)},
-          {"missed", std::move(missed)}};
-}
-
-Json reaches_of(const GrazeStudy& study) {
-  Json reaches = Json::array();
-  for (const GrazeRow& row : study.rows) {
-    for (const Approach& at : row.approaches.front()) {
-      reaches.push_back(
-          {{"distance", at.distance}, {"hit", at.hit_reach}, {"missed", at.missed_reach}});
-    }
-  }
-  return reaches;
-}
-
-Json data_of(const GrazeRow& row) {
-  const Approach& nearest = row.approaches.front().back();
-  return {{"id", row.id},
-          {"omega", row.graze.omega},
-          {"wall", row.graze.wall == carrier_track::Wall::upper ? "upper" : "lower"},
-          {"hit", row.graze.side > 0 ? "above" : "below"},
-          {"exponents", row.exponents},
-          {"reach_hit", nearest.hit_reach / nearest.distance},
-          {"reach_missed", nearest.missed_reach / nearest.distance}};
+  table.add(study.plan.smoothings[smoothing], study.rows.size(), growing,
+            study.rows.size() - growing, least, most, steepest);
 }
 
 }  // namespace
 
-Json data_of(const GrazeStudy& study) {
-  Json rows = Json::array();
-  std::size_t followed = 0;
-  double least = 0;
-  double most = -1e300;
-  double steepest = 0;
-  double missed = 0;
-  double reach_error = 0;  // from 1e-6 of the range on
+void add_to(report::Results& results, const GrazeStudy& study) {
+  Table grazes{"grazes",
+               {{"case"},
+                {"omega", "at [rad/s]", ".9f", 11},
+                {"wall"},
+                {"hit"},
+                {"reach_hit", "reach / distance, hit", ".4f"},
+                {"reach_missed", "missed", ".4f"}}};
+  for (const double smoothing : study.plan.smoothings) {
+    grazes.columns.push_back({fmt::format("exponent_{:g}", smoothing),
+                              fmt::format("exponent at {:g}", smoothing), ".4f"});
+  }
+  double reach_error = 0;
   for (const GrazeRow& row : study.rows) {
-    rows.push_back(data_of(row));
+    const Approach& nearest = row.approaches.front().back();
+    std::vector<Value> cells = {value_of(row.id),
+                                value_of(row.graze.omega),
+                                value_of(row.graze.wall == Wall::upper ? "upper" : "lower"),
+                                value_of(row.graze.side > 0 ? "above" : "below"),
+                                value_of(nearest.hit_reach / nearest.distance),
+                                value_of(nearest.missed_reach / nearest.distance)};
+    for (const auto& exponent : row.exponents) cells.push_back(value_of(exponent));
+    grazes.add_row(std::move(cells));
     for (const Approach& a : row.approaches.front()) {
-      if (a.distance > 1.01e-6) continue;
       reach_error = std::max({reach_error, std::abs(a.hit_reach / a.distance - 1),
                               std::abs(a.missed_reach / a.distance - 1)});
     }
-    if (!row.followed()) continue;
-    ++followed;
-    for (const auto& exponent : row.exponents) {
-      least = std::min(least, exponent.value_or(least));
-      most = std::max(most, exponent.value_or(most));
-    }
-    for (const auto& approaches : row.approaches) {
-      steepest = std::max(steepest, std::abs(approaches.back().hit_slope));
-      missed = std::max(missed, std::abs(approaches.back().missed_slope));
-    }
   }
-  if (followed == 0) return nullptr;
-  Json slopes = Json::array();
-  for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w)
-    slopes.push_back(slopes_of(study, w));
-  return {{"right", std::abs(least + 0.5) < 0.05 && std::abs(most + 0.5) < 0.05},
-          {"followed", followed},
-          {"all", rows.size()},
-          {"least", least},
-          {"most", most},
-          {"narrowest", study.plan.smoothings.back()},
-          {"widest", study.plan.smoothings.front()},
-          {"nearest", study.plan.distances.back()},
-          {"farthest", study.plan.distances.front()},
-          {"steepest", steepest},
-          {"missed", missed},
-          {"reach_error", reach_error},
-          {"short_reach", short_reach},
-          {"smoothings", study.plan.smoothings},
-          {"rows", std::move(rows)},
-          {"slopes", std::move(slopes)},
-          {"reaches", reaches_of(study)}};
+  Table growth{"graze-growth",
+               {{"smoothing", "smoothing parameter", "g"},
+                {"grazes"},
+                {"growing", "slope grows without limit"},
+                {"finite", "slope stays finite"},
+                {"least", "exponent, least", ".3f"},
+                {"most", "exponent, most", ".3f"},
+                {"steepest", "steepest [impacts per rad/s]", ".0f"}}};
+  for (std::size_t w = 0; w < study.plan.smoothings.size() && !study.rows.empty(); ++w) {
+    add_growth(growth, study, w);
+  }
+  const auto known = [&](double x) { return study.rows.empty() ? std::nullopt : std::optional(x); };
+  results.set("nearest", known(study.plan.distances.back()));
+  results.set("farthest", known(study.plan.distances.front()));
+  results.set("reach-error", known(reach_error));
+  results.set("short-reach", short_reach);
+  results.add(std::move(grazes));
+  results.add(std::move(growth));
 }
 
 }  // namespace ricochet::studies::surrogate

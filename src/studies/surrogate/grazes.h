@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/motion/impact_model.h"
 #include "ricochet/machine.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// The surrogate's slope next to a graze: a speed at which a wall is touched with velocity zero.
 namespace ricochet::studies::surrogate {
@@ -40,23 +40,24 @@ Approach approach(const carrier_track::Scene& scene, const Graze& graze, double 
 struct GrazePlan {
   int steps;                       ///< of the search between 1 and 17 rad/s
   std::size_t each;                ///< at most this number of grazes of a case, the slowest
-  std::vector<double> smoothings;  ///< > 0, the default first
-  std::vector<double> distances;   ///< shares of the range, falling, the last at most 1e-6
+  std::vector<double> smoothings;  ///< > 0
+  std::vector<double> distances;   ///< shares of the range, falling, from 1e-6
 };
 
 struct GrazeRow {
   std::string id;
   Graze graze;
   std::vector<std::vector<Approach>> approaches;  ///< by smoothing parameter and distance
-  /// For each smoothing parameter: p of |hit slope - missed slope|
-  /// distance^p, by least squares over the distances from 1e-11 to 1e-7; nothing if the two are
-  /// equal.
+  /// For each smoothing parameter: p of |hit slope - missed slope| ~ distance^p, by least squares
+  /// over the distances from 1e-11 to 1e-7; nothing if the two are equal.
   std::vector<std::optional<double>> exponents;
 
-  /// Returns true if a counted impact follows the graze before the motion forgets it: the slope
-  /// then grows without limit, with an exponent of -0.5. The exponent is 1 if the slopes converge,
-  /// and 0 if they stay different.
-  bool followed() const { return exponents.front() && *exponents.front() < -0.25; }
+  /// Returns true if the slope grows without limit towards the graze, because a counted impact
+  /// follows before the motion forgets it. The exponent is then -0.5; it is 1 if the slopes of both
+  /// sides converge, and 0 if they stay apart.
+  bool grows(std::size_t smoothing) const {
+    return exponents[smoothing] && *exponents[smoothing] < -0.25;
+  }
 };
 
 struct GrazeStudy {
@@ -66,7 +67,8 @@ struct GrazeStudy {
 
 GrazeStudy study_grazes(const GrazePlan& plan);
 
-/// Null if no counted impact follows any graze.
-report::Json data_of(const GrazeStudy& study);
+/// Adds the tables grazes (a row for each) and graze-growth (a row for each smoothing parameter),
+/// and the values that the page's section names. Nothing if there are no grazes.
+void add_to(report::Results& results, const GrazeStudy& study);
 
 }  // namespace ricochet::studies::surrogate

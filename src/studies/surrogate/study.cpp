@@ -5,7 +5,7 @@
 #include "ricochet/problem.h"
 #include "src/studies/surrogate/continuity.h"
 #include "src/studies/surrogate/derivative_check.h"
-#include "src/studies/surrogate/growth.h"
+#include "src/studies/surrogate/grazes.h"
 
 namespace ricochet::studies {
 
@@ -15,10 +15,9 @@ using namespace surrogate;
 
 struct Plan {
   BiasPlan bias;
-  ContinuationPlan continuation;
-  GradientDoubtPlan gradient_doubt;
   ContinuityPlan continuity;
-  GrowthPlan growth;
+  GradientDoubtPlan gradient_doubt;
+  GrazePlan grazes;
   DerivativeCheckPlan derivative_check;
 };
 
@@ -33,29 +32,28 @@ std::vector<double> falling(int first, int last, int between) {
 
 Plan full_plan() {
   return {{0.01, {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.003, 0.001}},
-          {15, {200, 400}},
-          {18, 20, {1, 0.5, 0.25, 0.1, 0.05, 0.01}, falling(-2, -11, 1)},
           {{1, 0.25, 0.05}, 100'000, 1},
-          {{3, 6, 10, 15}, {2, 5, 10, 20, 50}, {400, 3, {0.25, 0.05}, falling(-1, -12, 1)}},
+          {18, 20, {1, 0.5, 0.25, 0.1, 0.05, 0.01}, falling(-2, -11, 1)},
+          {400, 3, {0.25, 0.05}, falling(-6, -12, 1)},
           {all_families(), 10'000, 1}};
 }
 
 Plan quick_plan() {
   return {{0.1, {1, 0.25, 0.01}},
-          {1, {100}},
-          {6, 5, {0.25}, falling(-3, -9, 0)},
           {{0.25}, 240, 1},
-          {{5}, {2, 10}, {400, 1, {0.25}, falling(-4, -11, 0)}},
+          {6, 5, {0.25}, falling(-3, -9, 0)},
+          {400, 1, {0.25}, falling(-6, -11, 0)},
           {all_families(), 300, 1}};
 }
 
 report::Json results_of(const Plan& plan) {
-  return {{"bias", data_of(study_bias(plan.bias))},
-          {"continuation", data_of(study_continuation(plan.continuation))},
-          {"gradient_doubt", data_of(study_gradient_doubt(plan.gradient_doubt))},
-          {"continuity", data_of(study_continuity(plan.continuity))},
-          {"growth", data_of(study_growth(plan.growth))},
-          {"derivative_check", data_of(study_derivative_check(plan.derivative_check))}};
+  report::Results results;
+  add_to(results, study_bias(plan.bias));
+  add_to(results, study_continuity(plan.continuity));
+  add_to(results, study_gradient_doubt(plan.gradient_doubt));
+  add_to(results, study_grazes(plan.grazes));
+  add_to(results, study_derivative_check(plan.derivative_check));
+  return json_of(results);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "ricochet/run.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 #include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
-/// Can the surrogate and its gradient be trusted? Takes some minutes on two processors.
+/// How far can the surrogate and its gradient be trusted? Takes some minutes on two
+/// processors.
 Study surrogate_study();
 
 }  // namespace ricochet::studies
@@ -52,41 +52,8 @@ struct BiasStudy {
 /// Every case of the paper in the default interpretation.
 BiasStudy study_bias(const BiasPlan& plan);
 
-report::Json data_of(const BiasStudy& study);
-
-// Do solvers with continuation from a large smoothing parameter to zero find the optimum of the
-// count?
-
-struct ContinuationPlan {
-  int instances;
-  std::vector<long> budgets;  ///< evaluations per run
-};
-
-/// The runs of one solver, with one budget, on the fastest quiet speed of one case.
-struct ContinuationRuns {
-  std::string id;
-  std::string solver;
-  long budget;
-  int solved;                   ///< runs within the tolerance of the best, scored on the true count
-  double worst_optimality_gap;  ///< [rad/s]; infinite if a run evaluated no quiet speed
-  std::string exit;             ///< last termination reason in the first run that did not solve it
-};
-
-struct ContinuationStudy {
-  ContinuationPlan plan;
-  std::vector<ContinuationRuns> rows;  ///< by case, solver and budget
-};
-
-/// Optimality gap [rad/s] that still counts as solved.
-inline constexpr double speed_tolerance = 0.01;
-
-/// Summarises runs of one solver, at least one, on instances of a problem.
-ContinuationRuns runs_of(const std::string& id, const Problem& problem,
-                         const std::vector<RunRecord>& records);
-
-/// C1..C10, for which the paper claims a threshold.
-ContinuationStudy study_continuation(const ContinuationPlan& plan);
-
-report::Json data_of(const ContinuationStudy& study);
+/// Adds the finding, the tables bias (a row for each case and smoothing parameter) and quiet-speeds
+/// (a row for each case), and the chart speed-gap.
+void add_to(report::Results& results, const BiasStudy& study);
 
 }  // namespace ricochet::studies::surrogate

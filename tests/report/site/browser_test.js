@@ -470,7 +470,7 @@ await searching.close();
 const walks = [];
 const answersTo = {
   "Which solver for 4 variables, 400 evaluations and noise?": ["#choice", /^4 variables, 400 evaluations.*: \S+, formulation \S+, solved \d+ \[/],
-  "Fireworks against CMA-ES: where does it win?": ["header p", /CMA-ES 72 %.*wins in none/],
+  "Fireworks against CMA-ES: where does it win?": ["header p", /CMA-ES, \S+, 72 %.*wins in none/],
   "What if C4 had restitution 0.5 in place of 0.9?": ["#what-if tbody th", /^friction 0.4, restitution 0.5$/],
   "What are error and cost of RK45 at 1e-6?": ["#thresholds tbody th", /^odeint-dopri5$/],
   "Is the paper's 9 rad/s of C1 right?": ["#long-run tbody th", /^C1$/],

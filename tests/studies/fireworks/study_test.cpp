@@ -1,63 +1,95 @@
 #include "src/studies/fireworks/study.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include "src/report/page_template.h"
+#include <set>
+#include <string>
+
+#include "solvers/fireworks/fireworks.h"
+#include "src/report/chart.h"
+#include "src/report/markdown_page.h"
 #include "src/report/report.h"
 
-namespace ricochet::studies {
+namespace ricochet::studies::fireworks {
 namespace {
 
-using namespace fireworks;
-using report::Json;
+using testing::HasSubstr;
 
 /// All parts of the study, of next to no runs.
-const Json& results() {
-  static const Json made = {{"made", {{"version", "1.2.3"}, {"seconds", 4.5}, {"quick", true}}},
-                            {"table_3", table_3_data(3)},
-                            {"shift", shift_data(3)},
-                            {"competition", competition_data(2, 2000)},
-                            {"plateau", plateau_data(10)}};
-  return made;
+const report::Results& made() {
+  static const report::Results results = compared_with_published({3, 2, 2000});
+  return results;
 }
 
-TEST(FireworksStudy, FillsItsPage) {
-  const report::DrawnPage drawn = report::drawn(report::page_template("fireworks"), results());
-  EXPECT_GE(drawn.page.sections.size(), 5U);
-  for (const report::Section& section : drawn.page.sections) {
-    EXPECT_FALSE(section.paragraphs.empty()) << section.id;
-    for (const report::Table& table : section.tables) EXPECT_FALSE(table.rows.empty());
-    for (const report::Figure& figure : section.figures) {
-      EXPECT_NO_THROW(report::check(figure.chart));
-    }
-  }
+Table of(const char* solver) {
+  return where(*made().table("results"), "solver", value_of(solver));
+}
+
+TEST(FireworksStudy, HasARowForEveryMemberOfTheFamily) {
+  std::set<std::string> names;
+  each_row(*made().table("variants"), [&](const Row& row) {
+    EXPECT_TRUE(names.insert(row.text("solver")).second);
+    EXPECT_FALSE(row.text("what").empty());
+  });
+  const auto family = ricochet::fireworks::family();
+  for (const Solver& member : family) EXPECT_EQ(names.count(member.name), 1U) << member.name;
+  EXPECT_EQ(names.size(), family.size() + 1);  // an interpretation that is no solver of its own
 }
 
 TEST(FireworksStudy, ReproducesTheSevenZerosOf2010) {
-  EXPECT_EQ(results()["table_3"]["zeros"], 7);
-  for (const Json& interpretation : results()["table_3"]["interpretations"]) {
-    EXPECT_EQ(interpretation["zeros"], 7) << interpretation["name"];
-  }
-  for (const Json& row : results()["table_3"]["rows"]) {
-    for (const Json& cell : row["successors"]) EXPECT_GT(cell["mean"], 1e-3) << row["function"];
+  // Table 3 of Tan and Zhu has nine functions, seven of them with a mean of 0.000000.
+  for (const char* solver :
+       {"fireworks", "fireworks-authors", "fireworks-authors with round(d U)"}) {
+    const Table own = of(solver);
+    ASSERT_EQ(own.rows.size(), 9U) << solver;
+    int zeros = 0;
+    each_row(own, [&](const Row& row) {
+      if (row.number("published") > 0) return;
+      ++zeros;
+      EXPECT_LT(row.number("mean"), 5e-7) << row.text("function");
+      EXPECT_TRUE(row.is("agrees")) << row.text("function");
+    });
+    EXPECT_EQ(zeros, 7) << solver;
   }
 }
 
 TEST(FireworksStudy, SeesWhoFavoursTheOrigin) {
-  EXPECT_EQ(results()["shift"]["biased"],
-            (Json{"fireworks", "fireworks-as-printed", "fireworks-authors"}));
+  std::set<std::string> biased;
+  each_row(*made().table("variants"), [&](const Row& row) {
+    if (row.is("biased")) biased.insert(row.text("solver"));
+  });
+  EXPECT_EQ(biased,
+            (std::set<std::string>{"fireworks", "fireworks-as-printed", "fireworks-authors"}));
+  EXPECT_EQ(made().table("shift")->rows.size(), 10U * 6U);
 }
 
 TEST(FireworksStudy, ComparesAllThatHasFigures) {
-  const Json& rows = results()["competition"]["rows"];
-  if (rows.empty()) GTEST_SKIP() << "built without pagmo";
-  EXPECT_EQ(rows.size(), 6U);
-  EXPECT_EQ(results()["competition"]["compared"], 24);
-  EXPECT_EQ(results()["competition"]["solvers"],
-            (Json{"fireworks-authors", "fireworks-corrected", "efwa", "dynfwa", "bbfwa", "lotfwa",
-                  "mgfwa", "fwassp"}));
-  EXPECT_EQ(rows[1]["cells"][5]["other"], 14.6);
+  if (of("efwa").rows.empty()) GTEST_SKIP() << "built without pagmo";
+  for (const char* solver : {"efwa", "dynfwa", "bbfwa", "lotfwa"}) {
+    EXPECT_EQ(of(solver).rows.size(), 6U) << solver;
+  }
+  EXPECT_EQ(of("lotfwa")[1].number("published"), 14.6);
+  EXPECT_EQ(made().table("results")->rows.size(), 3U * 9U + 4U * 6U);
+  const auto lotfwa =
+      made().table("variants")->find([](const Row& row) { return row.text("solver") == "lotfwa"; });
+  EXPECT_EQ(lotfwa->number("compared"), 6);
+  EXPECT_EQ(lotfwa->number("agreeing"), where(of("lotfwa"), "agrees", true).rows.size());
+}
+
+TEST(FireworksStudy, FillsItsPage) {
+  report::Results results = made();
+  results.set("quick", std::optional<std::string>());
+  for (const char* name : {"version", "compiler", "threads", "date"}) {
+    results.set(std::string("made.") + name, "1");
+  }
+  results.set("made.seconds", 4.5);
+  const auto page = report::page_source(report::page_template("fireworks"));
+  const report::PageFiles written = page_files(page, results);
+  EXPECT_TRUE(written.failures.empty());
+  EXPECT_TRUE(written.files.contains("shift.svg"));
+  EXPECT_THAT(written.files.at("summary.md"), HasSubstr("| fireworks | Sphere |"));
+  EXPECT_THAT(written.files.at("index.html"), HasSubstr("<!-- comparison -->"));
 }
 
 }  // namespace
-}  // namespace ricochet::studies
+}  // namespace ricochet::studies::fireworks

@@ -21,6 +21,14 @@ TEST(LargestJump, IsRoundingWhereThereIsNone) {
   EXPECT_LT(largest_jump([](double t) { return std::sqrt(t); }), 1e-7);
 }
 
+TEST(LineFit, FindsTheSlopeOfALineAndNoneOfAPoint) {
+  EXPECT_DOUBLE_EQ(*slope_of({{1, 5}, {2, 3}, {4, -1}}), -2);
+  // Least squares of 0, 0, 1 over 0, 1, 2: 1/2.
+  EXPECT_DOUBLE_EQ(*slope_of({{0, 0}, {1, 0}, {2, 1}}), 0.5);
+  EXPECT_FALSE(slope_of({{1, 5}, {2, 3}}));
+  EXPECT_FALSE(slope_of({{1, 5}, {1, 3}, {1, 4}}));
+}
+
 TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
   const ContinuityStudy study = study_continuity({{0.5, 0.25}, 162, 3});
   ASSERT_EQ(study.rows.size(), 12U);

@@ -40,11 +40,5 @@ TEST(GradientDoubt, FindsNearlyEverythingFlatNextToTheCount) {
   EXPECT_GT(narrow.doubts[static_cast<std::size_t>(GradientDoubt::flat)], 0.95 * narrow.points);
 }
 
-TEST(GradientDoubt, FindsDifferencesWorstAtTheLongestAndTheShortestStep) {
-  ASSERT_EQ(study().step_errors.size(), 3U);
-  EXPECT_LT(study().step_errors[1].median, study().step_errors[0].median);
-  EXPECT_LT(study().step_errors[1].median, study().step_errors[2].median);
-}
-
 }  // namespace
 }  // namespace ricochet::studies::surrogate

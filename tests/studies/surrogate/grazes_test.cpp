@@ -72,19 +72,19 @@ TEST(Grazes, AreToldByTheReachOnBothSides) {
 
 TEST(Grazes, MakeTheSlopeGrowWithTheInverseRootWhereTheWallIsHit) {
   const GrazeStudy study = study_grazes({100, 3, {0.25}, {1e-7, 1e-8, 1e-9, 1e-10, 1e-11}});
-  int followed = 0;
+  int growing = 0;
   for (const GrazeRow& row : study.rows) {
     ASSERT_TRUE(row.exponents[0]) << row.id;
     // Where nothing follows that counts, the slopes of both sides come together, or stay apart.
     const double exponent = *row.exponents[0];
-    EXPECT_NEAR(exponent, row.followed() ? -0.5 : std::round(exponent), 0.05) << row.id;
+    EXPECT_NEAR(exponent, row.grows(0) ? -0.5 : std::round(exponent), 0.05) << row.id;
     EXPECT_LT(std::abs(exponent), 1.1) << row.id;
-    followed += row.followed();
+    growing += row.grows(0);
     const auto& near = row.approaches[0];
     EXPECT_NEAR(near.back().missed_slope, near.front().missed_slope,
                 1e-2 * std::abs(near.front().missed_slope));
   }
-  EXPECT_GT(followed, 3);
+  EXPECT_GT(growing, 3);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ void add_case(File& file, const Machine& machine) {
   claim.threshold = machine.threshold;
   file.add_list(rule_of(machine.scene, claim, scan));
   for (const auto racer :
-       {live::Racer::fireworks, live::Racer::random_search, live::Racer::cma_es}) {
+       {live::Racer::fireworks, live::Racer::random_search, live::Racer::bisection}) {
     file.add_list(race_of(machine, racer));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
+#include "embedded/charts_script.h"
 #include "embedded/citation.h"
 #include "embedded/front_accuracy_script.h"
 #include "embedded/front_board_script.h"
@@ -18,7 +19,6 @@
 #include "embedded/front_pairs_script.h"
 #include "embedded/front_summary_template.h"
 #include "embedded/front_template.h"
-#include "embedded/live_charts.h"
 #include "embedded/live_controls.h"
 #include "embedded/live_default_machine.h"
 #include "embedded/live_look.h"
@@ -223,10 +223,10 @@ FrontPage front_page(const Front& front, const std::string& navigation) {
 
 std::string live_page(const std::string& navigation) {
   std::string scripts;
-  for (const char* script :
-       {embedded::live_state, embedded::live_workers, embedded::live_charts, embedded::live_picture,
-        embedded::live_window_charts, embedded::live_map_chart, embedded::live_race,
-        embedded::live_controls, embedded::live_sentences, embedded::live_page_script}) {
+  for (const char* script : {embedded::charts_script, embedded::live_state, embedded::live_workers,
+                             embedded::live_picture, embedded::live_window_charts,
+                             embedded::live_map_chart, embedded::live_race, embedded::live_controls,
+                             embedded::live_sentences, embedded::live_page_script}) {
     scripts += script;
   }
   const Json page = {{"navigation", navigation},

@@ -98,11 +98,6 @@ const csvOf = (names, rows) => {
   return [names, ...rows].map((row) => row.map((value) => quoted(String(value ?? ""))).join(",") + "\n").join("");
 };
 
-// Ends of a logarithmic axis, with room for the dots at them.
-const around = (values) => ({logarithmic: true, min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3});
-// Shares end at 0 and 100, with a little room for the dots there.
-const shares = {min: -3, max: 104};
-
 const outlines = {
   circle: (x, y, r) => `M${x - r},${y}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0z`,
   square: (x, y, r) => `M${x - r},${y - r}h${2 * r}v${2 * r}h${-2 * r}z`,
@@ -122,12 +117,10 @@ const roomFor = (width, {x, y}, away, area, taken) =>
 class Chart {
   // `height` [px]: of the picture, unless its place on the page gives it one.
   constructor(svg, height) {
-    Object.assign(this, {svg, fixed: height});
-    const id = `${svg.id || svg.parentElement.id}-title`;
-    this.title = svg.querySelector("title") ?? addSvg(svg, "title", {id});
+    const title = svg.querySelector("title") ?? addSvg(svg, "title", {id: `${svg.id || svg.parentElement.id}-title`});
+    Object.assign(this, {svg, title, fixed: height, tip: Object.assign(document.createElement("p"), {className: "tip", hidden: true})});
     svg.setAttribute("role", "img");
-    svg.setAttribute("aria-labelledby", this.title.id);
-    this.tip = Object.assign(document.createElement("p"), {className: "tip", hidden: true});
+    svg.setAttribute("aria-labelledby", title.id);
     svg.after(this.tip);
     svg.addEventListener("pointermove", (event) => this.tellNearest(event));
     svg.addEventListener("pointerleave", () => { this.tip.hidden = true; });
@@ -138,12 +131,12 @@ class Chart {
     }).observe(svg);
   }
 
-  // `title`: the chart in a sentence, of which `heading` stands above it. `x`, `y`: see drawAxes(). `sets`, from the lowest up: {data: [{x, y,
-  // name, short, colour, shape, className, bar}], colour, nameColour, shape, radius, faint, kind, line, dash, bars, className, told}: `line` is "steps" or
-  // "straight", and tells `told`; `bars` draws the interval `bar`: {low, high, from, to} of each point; a legend shows the sets that have a `kind`.
-  // `rules`: vertical lines {x, label, row, colour, dash, className}, with their labels in rows above the area. `below`, `above`: called with a group
-  // for marks of a page's own, on whose chart x() and y() give pixels. `tell`: lines on a point, the first names it; `follow`: a
-  // click on it. `numbers`: {names, rows} of the CSV file, in place of all points.
+  // `title`: the chart in a sentence; `heading`: what stands above it. `x`, `y`, `buttons`: see drawAxes(). `sets`, from the lowest up:
+  // {data: [{x, y, name, short, colour, shape, className, bar}], colour, nameColour, shape, radius, faint, kind, line, dash, told, bars, className}.
+  // `line` is "steps" or "straight", and its tooltip `told`; `bars` draws the interval `bar` = {low, high, from, to} of each point; a legend shows
+  // the sets that have a `kind`. `rules`: vertical lines {x, label, row, colour, dash, className}, with labels in rows above the area.
+  // `below`, `above`: draw a page's own marks into the group that they get, by x() and y() of this chart. `tell`: lines on a
+  // point, of which the first names it; `follow`: a click on it. `numbers`: [names, rows] of the CSV file, in place of all points.
   draw(shown) {
     const {svg, fixed} = this, {x, y, sets = [], rules = []} = shown;
     Object.assign(this, {shown, marks: [], width: svg.clientWidth || 560, height: fixed ?? (svg.clientHeight || 250)});
@@ -155,9 +148,9 @@ class Chart {
     addSvg(group, "title", {}, "");  // the picture's title is no tooltip of its parts
     addSvg(group, "rect", {width, height, fill: "#ffffff"});
     const labelWidth = (factor) => widest(labelsOf(y, height - 50, 34, factor)), units = x.second ? [x, x.second].map(({unit}) => ({text: unit})) : [];
-    const left = Math.max(10, (y.title ? 30 : 10) + labelWidth(1), 8 + widest(units)), headed = shown.heading ? 20 : 0;
-    const rows = Math.max(0, ...rules.filter(({label}) => label).map(({row = 0}) => row + 1));
-    const area = this.area = {left, top: headed + this.legend(keys, left, headed + 10) + 16 * rows, right: width - (y.second ? 28 + labelWidth(y.second.factor) : 12), bottom: height - (x.second ? 53 : 38)};
+    const left = Math.max((y.title ? 30 : 10) + labelWidth(1), 14 + widest(units)), headed = shown.heading ? 20 : 0;
+    const rows = Math.max(0, ...rules.filter(({label}) => label).map(({row = 0}) => row + 1)), right = width - (y.second ? 28 + labelWidth(y.second.factor) : 12);
+    const area = this.area = {left, top: headed + this.legend(keys, left, headed + 10) + 16 * rows, right, bottom: height - (x.second ? 53 : 38)};
     if (headed) addSvg(group, "text", {x: left, y: 15, class: "chart-heading", "font-weight": 600, fill: "black"}, shown.heading);
     Object.assign(this, drawAxes(group, area, {x, y, width, height, buttons: shown.buttons}));
     group.append(keys);
@@ -165,18 +158,13 @@ class Chart {
     this.marks = sets.flatMap((set) => set.data.map((point) => ({x: this.x(point.x), y: this.y(point.y), point, set})));
     for (const set of sets) this.line(group, set);
     for (const mark of this.marks.filter(({set}) => set.bars)) this.bar(group, mark);
-    for (const {x: at, y: level, point, set} of this.marks.filter((mark) => mark.set.radius)) {
-      const colour = point.colour ?? set.colour, outline = outlines[point.shape ?? set.shape ?? "circle"];
-      addSvg(group, "path", {d: outline(rounded(at), rounded(level), set.radius), class: point.className ?? set.className, fill: colour, stroke: set.colour, "fill-opacity": set.faint ? ".6" : undefined});
-    }
+    for (const mark of this.marks.filter(({set}) => set.radius)) this.point(group, mark);
     this.names(group, area);
     for (const rule of rules) this.rule(group, rule);
     shown.above?.(addSvg(group, "g"));
-    const file = svg.parentElement.querySelector(".chart-csv");
-    if (!file) return;
-    const all = {names: ["name", x.title, y.title, "lower", "upper"], rows: this.marks.map(({point}) => [shown.tell?.(point)[0], point.x, point.y, point.bar?.low, point.bar?.high])};
-    const {names, rows: lines} = shown.numbers ?? all;
-    file.textContent = JSON.stringify(csvOf(names, lines));
+    const file = svg.parentElement.querySelector(".chart-csv"), rowOf = ({point}) => [shown.tell?.(point)[0], point.x, point.y, point.bar?.low, point.bar?.high];
+    const numbers = () => shown.numbers ?? [["name", x.title, y.title, "lower", "upper"], this.marks.map(rowOf)];
+    if (file) file.textContent = JSON.stringify(csvOf(...numbers()));
   }
 
   // Returns the height of the legend.
@@ -200,6 +188,11 @@ class Chart {
     if (set.told) addSvg(path, "title", {}, set.told);
   }
 
+  point(group, {x, y, point, set}) {
+    const d = outlines[point.shape ?? set.shape ?? "circle"](rounded(x), rounded(y), set.radius);
+    addSvg(group, "path", {d, class: point.className ?? set.className, fill: point.colour ?? set.colour, stroke: set.colour, "fill-opacity": set.faint ? ".6" : undefined});
+  }
+
   bar(group, {x, y, point: {bar}}) {
     if (bar.low === null || bar.high === null) return;
     let d = `M${rounded(x)},${rounded(this.y(bar.low))}V${rounded(this.y(bar.high))}`;
@@ -211,7 +204,8 @@ class Chart {
     if (!(x >= this.shown.x.min && x <= this.shown.x.max)) return;
     const {left, top, right, bottom} = this.area, at = this.x(x), late = at > (left + right) / 2, level = this.shown.heading ? 34 + 16 * row : 14 + 16 * row;
     addSvg(group, "path", {class: `rule ${className}`, d: `M${rounded(at)},${label ? level - 10 : top}V${bottom}`, stroke: colour, "stroke-width": "1.7", "stroke-dasharray": dash, fill: "none"});
-    if (label) addSvg(group, "text", {class: `rule-label ${className}`, x: at + (late ? -5 : 5), y: level, "text-anchor": late ? "end" : "start", fill: colour, "font-weight": 600}, label);
+    if (!label) return;
+    addSvg(group, "text", {class: `rule-label ${className}`, x: at + (late ? -5 : 5), y: level, "text-anchor": late ? "end" : "start", fill: colour, "font-weight": 600}, label);
   }
 
   // Names beside points where there is room; where the name has none, the short one may have.
@@ -229,19 +223,15 @@ class Chart {
     }
   }
 
-  // Where a pointer is, in pixels of the picture, and as values {x, y} of the axes.
-  place({clientX, clientY}) {
-    const {left, top, width} = this.svg.getBoundingClientRect(), scale = this.width / width;
-    return {x: (clientX - left) * scale, y: (clientY - top) * scale};
-  }
-  values(event) {
-    const {x, y} = this.place(event);
-    return {x: this.x.inverse(x), y: this.y.inverse(y)};
+  // Where a pointer is, as values {x, y} of the axes.
+  values({clientX, clientY}) {
+    const {left, top} = this.svg.getBoundingClientRect();
+    return {x: this.x.inverse(clientX - left), y: this.y.inverse(clientY - top)};
   }
 
   // The point under the pointer, if any.
-  nearest(event) {
-    const at = this.place(event), away = ({x, y}) => Math.hypot(x - at.x, y - at.y);
+  nearest({clientX, clientY}) {
+    const {left, top} = this.svg.getBoundingClientRect(), away = ({x, y}) => Math.hypot(x - clientX + left, y - clientY + top);
     return this.marks?.filter((mark) => away(mark) < 10).sort((a, b) => away(a) - away(b))[0];
   }
 

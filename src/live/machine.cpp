@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/cases.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
@@ -216,6 +218,29 @@ RICOCHET_EXPORT(window_rule) void window_rule(double step, int stride, double cl
   tell(found.threshold);
   tell(found.first_loud);
   tell(found.misclassified);
+}
+
+/// Text: what moves the fastest quiet speed omega [rad/s] of the long run, a key a line, the most
+/// effective first; numbers: by how much [%] per 1 % more of each.
+RICOCHET_EXPORT(sensitivities) void sensitivities_at(double omega) {
+  told_text.clear();
+  told_numbers.clear();
+  const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
+  for (const Sensitivity& one : sensitivities(machine, limit, omega)) {
+    tell_line({one.key});
+    tell(one.percent);
+  }
+}
+
+/// The most collisions in the window of quiet speeds, for a machine of which no paper claims
+/// anything; `border` [rad/s]: its fastest quiet speed. See quiet_rule_of().
+RICOCHET_EXPORT(quiet_limit_below) int quiet_limit_below(double border) {
+  return most_collisions_below(machine, border, 1e-3);
+}
+
+/// The solution [rad/s] of the race, NaN if there is none; see goal_of().
+RICOCHET_EXPORT(race_goal) double race_goal(double quiet_limit, double fastest) {
+  return goal_of({machine, quiet_limit, fastest}).value_or(missing);
 }
 
 /// Numbers: speed [rad/s], count and value of each evaluation of a racer, see race.h.

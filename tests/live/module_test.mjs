@@ -84,6 +84,11 @@ for (const {id, threshold} of machine.cases.slice(0, 4)) {
   for (const [racer, name] of Machine.racers.entries()) {
     same(machine.race(racer, 7, 100, limit, 18).flatMap(({omega: x, count: there}) => [x, there]), list(), `${id}, ${name}`, 1e-9);
   }
+  same([machine.raceGoal(limit, 18)], list(), `${id}, goal of the race`, 1e-9);
+  const border = machine.regimes(0.01, 18).find(({most}) => most > 2).from, [nativeBorder, below, ...nativeMoves] = list();
+  const moves = machine.sensitivities(border).map(({percent}) => percent);
+  same([border, machine.quietLimitBelow(border)], [nativeBorder, below], `${id}, border`, 1e-9);
+  check(moves.length === nativeMoves.length && moves.every((x, k) => Math.abs(x - nativeMoves[k]) < 1e-6), `${id}: moved by ${moves}, native ${nativeMoves}`);
 }
 check(at === all.length, `${all.length - at} numbers are left`);
 

@@ -15,9 +15,11 @@
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count_scan.h"
+#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/machine.h"
 #include "src/live/flat_scene.h"
 #include "src/live/race.h"
@@ -76,6 +78,16 @@ Numbers race_of(const Machine& machine, live::Racer racer) {
   return numbers;
 }
 
+/// The border of two collisions a turn, the most collisions below it in the window, and what moves
+/// it.
+Numbers sensitivities_of(const Scene& scene) {
+  const double border = quiet_up_to(scene, quiet_per_turn, {0.01, 18}).value_or(missing);
+  Numbers numbers{border, static_cast<double>(most_collisions_below(scene, border, 1e-3))};
+  const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
+  for (const Sensitivity& one : sensitivities(scene, limit, border)) numbers.push_back(one.percent);
+  return numbers;
+}
+
 class File {
  public:
   explicit File(const char* name) : stream_(name, std::ios::binary) {}
@@ -110,9 +122,11 @@ void add_case(File& file, const Machine& machine) {
   claim.threshold = machine.threshold;
   file.add_list(rule_of(machine.scene, claim, scan));
   for (const auto racer :
-       {live::Racer::fireworks, live::Racer::random_search, live::Racer::cma_es}) {
+       {live::Racer::fireworks, live::Racer::random_search, live::Racer::bisection}) {
     file.add_list(race_of(machine, racer));
   }
+  file.add_list({live::goal_of({machine.scene, machine.quiet_limit, 18}).value_or(missing)});
+  file.add_list(sensitivities_of(machine.scene));
 }
 
 }  // namespace

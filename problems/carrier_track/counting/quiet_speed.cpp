@@ -155,14 +155,15 @@ QuietSpeed quiet_in_the_long_run(const Scene& scene, const QuietSpeedOptions& op
   const Regime& last = answer.regimes.back();
   if (last.ends_by == RegimeEnd::time_limit) answer.reached = last.to;
   const auto is_louder = [&](const Regime& regime) { return regime.most_per_turn > limit.at_most; };
-  const auto louder = std::ranges::find_if(answer.regimes, is_louder);
+  const auto louder = std::find_if(answer.regimes.begin(), answer.regimes.end(), is_louder);
   if (louder == answer.regimes.end()) {
     if (!answer.reached) answer.fastest_quiet = options.fastest;
     return answer;
   }
   answer.split.first_loud = louder->from;
   if (louder == answer.regimes.begin()) {
-    answer.loud_everywhere = !answer.reached && std::ranges::all_of(answer.regimes, is_louder);
+    answer.loud_everywhere =
+        !answer.reached && std::all_of(louder, answer.regimes.end(), is_louder);
     return answer;
   }
   answer.split.speed = louder->from;

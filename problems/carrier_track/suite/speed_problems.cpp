@@ -79,18 +79,17 @@ Scene between_hard_walls(Scene scene) {
   return scene;
 }
 
-/// The most collisions in the window at multiples of the step from limit_from * `end` to `end`; at
-/// `end` itself if there is no such multiple.
+}  // namespace
+
 int most_collisions_below(const Scene& scene, double end, double step) {
   std::vector<double> speeds;
   for (double k = std::ceil(limit_from * end / step); k * step < end; ++k) {
     speeds.push_back(k * step);
   }
   if (speeds.empty()) speeds.push_back(end);
-  return std::ranges::max(counts_at(scene, speeds));
+  const std::vector<int> counts = counts_at(scene, speeds);
+  return *std::max_element(counts.begin(), counts.end());
 }
-
-}  // namespace
 
 QuietRule quiet_rule_of(const Scene& scene, double step) {
   const Scene hard = between_hard_walls(scene);

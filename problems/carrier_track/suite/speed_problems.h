@@ -68,4 +68,8 @@ inline constexpr double limit_from = 0.9;
 /// those of score() without a claim. The scene must be valid, at a constant speed.
 QuietRule quiet_rule_of(const Scene& scene, double step);
 
+/// The most collisions in the window at multiples of the step from limit_from * `end` to `end`; at
+/// `end` itself [rad/s] if there is no such multiple.
+int most_collisions_below(const Scene& scene, double end, double step);
+
 }  // namespace ricochet::carrier_track::inline problems

@@ -21,14 +21,18 @@ class Page {
     this.machine = new Machine(module);
     const plain = this.machine.readFile("the default machine", $("default-machine").textContent).numbers;
     this.state = new State(this.machine, plain);
-    this.threads = Object.fromEntries(Object.entries({staircase: 400, fineRule: 0, regimes: 1500, map: 0, race: 400}).map(([name, patience]) => [name, new Thread(module, patience)]));
+    this.changes = new Changes(this.state);
+    this.found = {};
+    const patience = {staircase: 400, fineRule: 0, regimes: 1500, sensitivities: 0, map: 0, race: 400};
+    this.threads = Object.fromEntries(Object.entries(patience).map(([name, most]) => [name, new Thread(module, most)]));
     this.picture = new Picture($("picture"));
     this.path = new PathChart($("path"));
     this.picture.moved = (time) => this.path.follow(time);
-    this.staircase = new StaircaseChart($("staircase"), (x) => this.choose({omega: Math.min(this.state.fastest, Math.max(0.02, x))}));
+    const speed = (x) => Math.min(this.state.fastest, Math.max(0.02, x));
+    this.staircase = new StaircaseChart($("staircase"), (x) => this.choose({omega: speed(x)}, this.staircase));
     this.map = new MapChart($("map"), (x, y) => {
       const restitution = Math.min(1, Math.max(0, x));
-      this.choose({restitution_lower: restitution, restitution_upper: restitution, omega: Math.min(this.state.fastest, Math.max(0.02, y))});
+      this.choose({restitution_lower: restitution, restitution_upper: restitution, omega: speed(y)});
     });
     this.race = new Race($("race"), () => {
       this.state.seed = this.state.seed % 1000 + 1;
@@ -37,11 +41,13 @@ class Page {
       this.keepLink();
     });
     this.addControls();
+    this.addHistory();
     this.complain(this.state.follow(location.hash));
     window.addEventListener("hashchange", () => {
       if (location.hash === this.state.link()) return;
-      this.complain(this.state.follow(location.hash));
-      this.refresh();
+      let complaint = "";
+      this.change(() => { complaint = this.state.follow(location.hash); });
+      this.complain(complaint);
     });
     this.refresh();
   }
@@ -52,8 +58,8 @@ class Page {
     $("main-controls").append(...this.controls.map(({row}) => row));
     this.controls.push(...allControls(state, $("all-controls"), changed));
     for (const one of this.machine.cases) {
-      const shaken = one.disturbance ? `, disturbance ${one.disturbance} N` : "";
-      $("case").append(element("option", {value: one.id, textContent: `${one.id}: restitution ${one.restitution}, friction ${one.friction}${shaken}`}));
+      const shaken = one.disturbance ? `, disturbance ${number(one.disturbance)} N` : "";
+      $("case").append(element("option", {value: one.id, textContent: `${one.id}: restitution ${number(one.restitution)}, friction ${number(one.friction)}${shaken}`}));
     }
     $("case").append(element("option", {value: "own", textContent: "A machine of your own", disabled: true}));
     $("case").addEventListener("change", () => this.change(() => {
@@ -97,35 +103,59 @@ class Page {
     });
   }
 
+  // Buttons and keys for undo and redo.
+  addHistory() {
+    const step = (way) => {
+      this.changes[way]();
+      this.complain("");
+      this.refresh();
+    };
+    for (const way of ["undo", "redo"]) $(way).addEventListener("click", () => step(way));
+    // A slider that is let go has ended its change.
+    $("app").addEventListener("change", () => this.changes.end());
+    document.addEventListener("keydown", (event) => {
+      const {target, key} = event, way = {z: event.shiftKey ? "redo" : "undo", y: "redo"}[key.toLowerCase()];
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || !way) return;
+      if (target.type === "text" && target.value !== target.defaultValue) return;  // the field's own undo
+      event.preventDefault();
+      step(way);
+    });
+  }
+
   complain(text) { $("complaint").textContent = text; }
 
-  choose(changes) { this.change(() => this.state.set(changes)); }
+  choose(changes, source) { this.change(() => this.state.set(changes), source); }
 
-  // Changes the state by `write`, and shows it; where that is no machine, says why and changes nothing.
-  change(write, control) {
+  // Changes the state by `write`, and shows it; where that is no machine, says why and changes nothing. `source`: see Changes.
+  change(write, source) {
     try {
-      write();
+      this.changes.change(write, source);
       this.complain("");
     } catch (error) {
       this.complain(`That is not possible: ${error.message}.`);
     }
-    this.refresh(control);
+    this.refresh(source);
   }
 
-  refresh(control) {
-    const {state} = this;
-    this.controls.forEach((one) => one.sync(control));
+  refresh(source) {
+    const {state, changes} = this;
+    this.controls.forEach((one) => one.sync(source));
     $("case").value = state.from;
-    $("fastest").value = state.fastest;
+    $("fastest").value = $("fastest").defaultValue = state.fastest;
+    $("undo").disabled = changes.past.length === 0;
+    $("redo").disabled = changes.future.length === 0;
     this.showMotion();
     clearTimeout(this.linking);
     this.linking = setTimeout(() => this.keepLink(), 200);
     // What does not depend on the speed that is set is computed only where something else changed.
     const key = JSON.stringify([state.numbers.filter((x, place) => place !== state.at.omega).map(String), state.fastest]);
-    if (key === this.key) return this.tell();
-    this.key = key;
-    this.found = {};
-    this.ask();
+    if (key !== this.key) {
+      const {border, before} = this.found;
+      this.key = key;
+      this.found = {before: border ? bothUnits(quietBelow(border)) : before};
+      this.ask();
+    }
+    this.tell();
   }
 
   keepLink() {
@@ -152,19 +182,14 @@ class Page {
     const claimed = state.theCase()?.threshold ?? NaN, step = fastest / 900;
     const ofNow = (use) => (answer) => { if (this.key === key) use(answer); };
     const failed = (message) => this.complain(`That is not possible: ${message}.`);
-    threads.staircase.ask({question: "staircase", numbers, step, size: 900, claimed}, ({counts, rule}) => {
-      this.staircase.set({counts, step, limit: rule.limit, omega: this.state.get("omega"), paper: claimed, regimes: this.found.regimes, longRun: this.found.longRun, window: rule.threshold});
+    threads.sensitivities.stop();
+    threads.staircase.ask({question: "staircase", numbers, step, size: 900, claimed}, (answer) => {
+      if (this.key === key) this.learn({...answer, step});
+      else this.staircase.set({counts: answer.counts, step, omega: state.get("omega")});  // of a slider that still moves
       performance.measure("redraw", {start: began});
-      if (this.key !== key) return;
-      Object.assign(this.found, {counts, step, rule, claimed});
-      this.tell();
-      this.askRace();
     }, failed);
-    threads.regimes.ask({question: "regimes", numbers, fastest}, ofNow(({regimes}) => {
-      const louder = regimes?.findIndex(({most}) => most > 2);
-      Object.assign(this.found, {regimes, hasRegimes: regimes !== null, louder, longRun: louder > 0 ? regimes[louder].from : undefined});
-      this.staircase.set({regimes, longRun: this.found.longRun});
-      this.tell();
+    threads.regimes.ask({question: "regimes", numbers, fastest}, ofNow((answer) => {
+      this.learn({...answer, hasRegimes: answer.regimes !== null});
       this.listRegimes();
     }), failed);
     clearTimeout(this.later);
@@ -174,11 +199,9 @@ class Page {
   // What takes longer, once nothing has changed for a moment.
   askLater(numbers, claimed, ofNow) {
     const {state, threads} = this, {fastest, at} = state;
-    threads.fineRule.ask({question: "fineRule", numbers, fastest, claimed}, ofNow(({rule}) => {
-      this.found.fine = rule;
-      this.staircase.set({window: rule.threshold, limit: rule.limit});
-      this.tell();
-    }), () => {});
+    this.rested = this.key;
+    this.askSensitivities();
+    if (state.theCase()) threads.fineRule.ask({question: "fineRule", numbers, fastest, claimed}, ofNow(({rule}) => this.learn({fine: rule})), () => {});
     const shaken = state.get("disturbance") !== 0, many = shaken ? 13 : 37, width = 0.9 / (many - 1);
     const columns = Array.from({length: many}, (_, k) => Number((0.05 + k * width).toPrecision(6)));
     this.map.begin({fastest, width, cases: state.casesAround(), restitution: state.get("restitution_lower"), omega: state.get("omega")});
@@ -191,27 +214,66 @@ class Page {
     }), () => {});
   }
 
-  askRace() {
-    const {state, threads, found} = this;
-    if (!found.rule) return;
-    const {limit} = found.rule, {fastest, seed} = state, last = found.counts.findLastIndex((count) => count <= limit);
-    threads.race.ask({question: "race", numbers: [...state.numbers], seed, evaluations: 100, limit, fastest}, ({steps}) => {
-      this.race.set({steps, limit, fastest, seed, best: last < 0 ? undefined : (last + 1) * found.step});
-      $("race-limit").textContent = limit;
+  // Once the border is known, and nothing has changed for a moment.
+  askSensitivities() {
+    const {found, key} = this;
+    if (!found.border || found.sensitivities || this.rested !== key) return;
+    this.threads.sensitivities.ask({question: "sensitivities", numbers: [...this.state.numbers], border: found.border}, ({sensitivities}) => {
+      if (this.key === key) this.learn({sensitivities});
     }, () => {});
   }
 
+  // Takes an answer about the present machine, and shows what follows from it.
+  learn(answer) {
+    const {found, state} = this, own = state.theCase();
+    Object.assign(found, answer);
+    if (own) found.limit = (found.fine ?? found.rule)?.limit;
+    else if (found.hasRegimes !== undefined) found.limit = found.windowLimit ?? found.rule?.limit;
+    if (found.counts) {
+      const {counts, step, regimes, limit, border} = found, threshold = own && (found.fine ?? found.rule).threshold;
+      const rules = [
+        {x: border, label: `fastest quiet speed ${border && quietBelow(border).toFixed(3)}`, row: 0, className: "long-run"},
+        {x: threshold, label: `threshold by the paper's rule ${threshold?.toFixed(found.fine ? 3 : 2)}`, row: 1, className: "window"},
+        {x: own?.threshold, label: `the paper's threshold ${own && number(own.threshold)}`, row: 2, className: "paper"},
+      ];
+      this.staircase.set({counts, step, regimes: regimes ?? [], limit, rules, omega: state.get("omega")});
+    }
+    this.tell();
+    this.askSensitivities();
+    if (found.limit !== undefined && found.limit !== found.raced) this.askRace();
+  }
+
+  askRace() {
+    const {state, threads, found, key} = this, {limit} = found, {fastest, seed} = state;
+    if (limit === undefined) return;
+    if (limit !== found.raced) found.goal = undefined;
+    found.raced = limit;
+    threads.race.ask({question: "race", numbers: [...state.numbers], seed, evaluations: 100, limit, fastest, goal: found.goal}, ({steps, goal}) => {
+      if (this.key !== key || found.raced !== limit) return;
+      found.goal = goal;
+      this.race.set({steps, limit, fastest, goal});
+      $("race-limit").textContent = plural(limit, "collision");
+      this.tell();
+    }, () => {});
+  }
+
+  // Says what is known; what is not yet known keeps its last words, which are pale.
   tell() {
     const {found, state, motion} = this;
     $("answer").textContent = answerOf(found, state);
-    $("window-answer").textContent = windowAnswerOf(found, state);
+    for (const [id, text] of [["moves-answer", movesOf(found, state)], ["window-answer", windowAnswerOf(found, state)]]) {
+      if (text !== undefined) $(id).textContent = text;
+      $(id).classList.toggle("old", text === undefined);
+    }
+    for (const [id, known] of [["staircase", found.counts], ["map", this.rested === this.key], ["race", found.goal !== undefined]]) $(id).classList.toggle("old", !known);
+    if (!found.regimes) $("regimes").replaceChildren();
     $("motion-answer").textContent = motionAnswerOf(motion, state);
   }
 
   listRegimes() {
     $("regimes").replaceChildren(...(this.found.regimes ?? []).map((regime) => {
       const {from, to, least, most, energy, fastest, rest, ends, certain} = regime;
-      const texts = [shown(from, 4), shown(to, 4), least === most ? shown(most) : `${shown(least)} to ${shown(most)}`, shown(energy * 1000), shown(fastest * 1000), `${Math.round(100 * rest)} %`, ends, certain ? "yes" : "no"];
+      const texts = [number(from, 4), number(to, 4), least === most ? number(most) : `${number(least)} to ${number(most)}`, number(energy * 1000), number(fastest * 1000), `${Math.round(100 * rest)} %`, ends, certain ? "yes" : "no"];
       return element("tr", {}, ...texts.map((textContent, k) => element(k ? "td" : "th", {textContent, className: k === 6 ? "left" : "right", ...(k ? {} : {scope: "row"})})));
     }));
   }

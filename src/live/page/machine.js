@@ -97,12 +97,24 @@ class Machine {
     });
   }
 
+  // What moves the fastest quiet speed `omega` [rad/s] of the long run: {key, percent} for 1 % more of each, the most effective first.
+  sensitivities(omega) {
+    const {numbers, text} = this.call("sensitivities", omega);
+    return text.split("\n").filter(Boolean).map((key, k) => ({key, percent: numbers[k]}));
+  }
+
+  // The most collisions in the window of quiet speeds, where the paper claims nothing; `border`: the fastest quiet speed.
+  quietLimitBelow(border) { return this.call("quiet_limit_below", border).value; }
+
   // The paper's rule of a scan: counts at step, 2 step, ... rad/s. `claimed`: the paper's threshold, or NaN.
   windowRule(counts, step, stride, claimed) {
     this.give(counts);
     const [quiet, limit, threshold, loud, misclassified] = this.call("window_rule", step, stride, claimed).numbers;
     return {quiet, limit, threshold, loud, misclassified};
   }
+
+  // The fastest speed up to `fastest` [rad/s] with a quiet count, whoever finds it; NaN if there is none.
+  raceGoal(limit, fastest) { return this.call("race_goal", limit, fastest).value; }
 
   // The evaluations of a solver that looks for the fastest quiet speed, by its place in Machine.racers.
   race(racer, seed, evaluations, limit, fastest) {
@@ -111,7 +123,7 @@ class Machine {
     return steps;
   }
 }
-Machine.racers = ["fireworks", "random search", "CMA-ES"];
+Machine.racers = ["fireworks", "random search", "bisection"];
 
 // What the module's library would write on a terminal before it gives up; there is none.
 const nowhere = new Proxy({}, {get: () => () => { throw new Error("the module has given up"); }});

@@ -57,7 +57,7 @@ class Picture {
     Object.assign(this, {motion, omega, phase, lower});
     this.upper = Number.isFinite(upper) ? upper : Math.max(...motion.path.map(([, x]) => x));
     this.time = Math.min(1, share) * motion.end;
-    this.parts.gap.textContent = `${shown(1000 * (upper - lower))} mm`;
+    this.parts.gap.textContent = `${number(1000 * (upper - lower))} mm`;
     this.show();
   }
 
@@ -91,7 +91,7 @@ class Picture {
       parts[name].setAttribute("class", `wall ${lit > 0.05 ? "lit" : dim > 0.05 ? "touched" : ""}`);
       parts[`${name}-burst`].setAttribute("opacity", lit > 0.05 ? lit.toFixed(2) : 0);
       const speed = parts[`${name}-speed`], impact = latest(counted);
-      speed.textContent = lit > 0.05 ? `${shown(impact.speed * 1000, 2)} mm/s` : "";
+      speed.textContent = lit > 0.05 ? `${number(impact.speed * 1000, 2)} mm/s` : "";
     }
     this.said.textContent = `${time.toFixed(3)} s of ${motion.end.toFixed(3)} s: ${counted.length} of ${motion.count} counted`;
     this.slide.value = Math.round(time / motion.end * 1000);

@@ -1,13 +1,11 @@
 "use strict";
 
-// Three solvers look for the fastest quiet speed, one evaluation after the other.
-const racerMarks = [(x, y) => `M${x - 4} ${y}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z`, (x, y) => `M${x - 4} ${y - 4}h8v8h-8Z`, (x, y) => `M${x} ${y - 5}l5 9h-10Z`];
+// Three solvers look for the fastest speed whose window is quiet, one evaluation after the other.
+const racerShapes = ["circle", "square", "triangle"];
 
 class Race {
   constructor(root, again) {
-    this.lanes = new Chart(root.querySelector("#lanes"), 250);
-    this.gaps = new Chart(root.querySelector("#gaps"), 250);
-    this.lanes.again = this.gaps.again = () => this.draw();
+    [this.lanes, this.gaps] = ["#lanes", "#gaps"].map((id) => new Chart(root.querySelector(`${id} svg`), 260));
     this.body = root.querySelector("tbody");
     this.play = root.querySelector("#race-play");
     this.said = root.querySelector("#race-said");
@@ -49,12 +47,10 @@ class Race {
     this.play.textContent = runs ? "Pause" : this.shown > 1 && this.shown < this.length ? "Go on" : "Race";
   }
 
-  // `steps`: of each racer; `limit`: the most collisions that are quiet; `best`: the fastest quiet
-  // speed that is known [rad/s], or undefined.
-  set({steps, limit, fastest, best, seed}) {
-    Object.assign(this, {steps, limit, fastest, seed, length: steps[0].length});
-    const all = steps.flat().filter(({count}) => count <= limit).map(({omega}) => omega);
-    this.best = Math.max(best ?? 0, ...all);
+  // `steps`: of each racer; `limit`: the most collisions that are quiet; `goal`: the fastest quiet
+  // speed [rad/s], the same for every seed; NaN if no speed is quiet.
+  set({steps, limit, fastest, goal}) {
+    Object.assign(this, {steps, limit, fastest, goal, length: steps[0].length});
     this.shown = this.still ? this.length : Math.min(this.length, Math.max(this.shown, 1));
     this.run(this.runs);
     this.draw();
@@ -71,57 +67,46 @@ class Race {
     this.drawLanes();
     this.drawGaps();
     this.body.replaceChildren(...Machine.racers.map((name, racer) => {
-      const best = this.bestOf(racer, this.shown), row = document.createElement("tr");
-      const cells = [name, best === undefined ? "none yet" : `${best.toFixed(3)} rad/s`, best === undefined ? "" : `${(this.best - best).toFixed(3)} rad/s`];
-      cells.forEach((text, k) => {
-        const cell = document.createElement(k ? "td" : "th");
-        if (!k) cell.scope = "row";
-        cell.className = k ? "right" : "left";
-        cell.textContent = text;
-        row.append(cell);
-      });
-      return row;
+      const best = this.bestOf(racer, this.shown);
+      const cells = [name, ...best === undefined ? ["none yet", ""] : [bothUnits(best), `${(this.goal - best).toFixed(3)} rad/s`]];
+      return element("tr", {}, ...cells.map((textContent, k) => element(k ? "td" : "th", {textContent, className: k ? "right" : "left", ...(k ? {} : {scope: "row"})})));
     }));
-    this.said.textContent = `${this.shown} of ${this.length} evaluations each; the fastest quiet speed known is ${this.best.toFixed(3)} rad/s.`;
+    const goal = Number.isNaN(this.goal) ? "no speed has so few collisions" : `the fastest speed with at most ${plural(this.limit, "collision")} is ${bothUnits(this.goal)}, by a scan`;
+    this.said.textContent = `${this.shown} of ${plural(this.length, "evaluation")} each; ${goal}.`;
   }
 
   drawLanes() {
-    const {lanes, fastest, shown: until} = this, names = Machine.racers;
-    const marks = lanes.begin({
-      left: 12, x: {from: 0, to: fastest, label: "speed evaluated, rad/s"},
-      y: {from: 0, to: names.length, ticks: [], label: ""},
-      said: `Where ${names.join(", ")} have evaluated the count: the first ${until} evaluations of each`,
-    });
-    draw(marks, "line", {class: "goal", x1: lanes.x(this.best), x2: lanes.x(this.best), y1: lanes.top, y2: lanes.bottom});
-    names.forEach((name, racer) => {
-      const height = (lanes.bottom - lanes.top) / names.length, top = lanes.top + racer * height;
-      if (racer) draw(marks, "line", {class: "divide", x1: lanes.left, x2: lanes.right, y1: top, y2: top});
-      draw(marks, "text", {class: `racer-${racer} racer-name`, x: lanes.left + 4, y: top + 14}, name);
-      this.steps[racer].slice(0, until).forEach(({omega, count}, k) => {
-        // From the first at the top of the lane to the last at its bottom.
-        const y = top + 20 + (height - 26) * k / Math.max(1, this.length - 1), quiet = count <= this.limit;
-        const dot = draw(marks, "path", {class: `racer-${racer} try ${quiet ? "quiet" : "loud"} ${k === until - 1 ? "latest" : ""}`, d: racerMarks[racer](lanes.x(omega), y)});
-        draw(dot, "title", {}, `${name}, evaluation ${k + 1}: ${shown(omega, 5)} rad/s, ${collisions(count)}${quiet ? "" : ", loud"}`);
-      });
+    const {fastest, shown: until, length} = this, names = Machine.racers, lanes = names.length;
+    // From the first at the top of the lane to the last at its bottom.
+    const data = names.map((name, racer) => this.steps[racer].slice(0, until).map(({omega, count}, k) => ({
+      x: omega, y: lanes - racer - 0.28 - 0.66 * k / Math.max(1, length - 1), count, told: `${name}, evaluation ${k + 1}`,
+      className: `racer-${racer} try ${count <= this.limit ? "quiet" : "loud"} ${k === until - 1 ? "latest" : ""}`,
+    })));
+    this.lanes.draw({
+      title: `Where ${names.join(", ")} have evaluated the count: the first ${plural(until, "evaluation")} of each`,
+      x: speedAxis("speed evaluated", fastest), y: {title: "", min: 0, max: lanes, ticks: []},
+      rules: Number.isNaN(this.goal) ? [] : [{x: this.goal, className: "goal"}],
+      sets: data.map((points, racer) => ({data: points, radius: 4, shape: racerShapes[racer]})),
+      tell: ({told, x, count}) => [told, bothUnits(x), `${plural(count, "collision")}${count <= this.limit ? "" : ", loud"}`],
+      below: (group) => names.forEach((name, racer) => {
+        const {left, right} = this.lanes.area, top = this.lanes.y(lanes - racer);
+        if (racer) addSvg(group, "path", {class: "divide", d: `M${left},${rounded(top)}H${right}`});
+        addSvg(group, "text", {class: `racer-${racer} racer-name`, x: left + 4, y: top + 14}, name);
+      }),
     });
   }
 
   drawGaps() {
-    const {gaps, length, shown: until, best} = this, least = 0.001, write = (x) => x === least ? "≤ 0.001" : String(x);
-    const marks = gaps.begin({
-      x: {from: 1, to: length, label: "evaluations"}, y: {from: least, to: 20, log: true, ticks: [least, 0.01, 0.1, 1, 10], write, label: "short of the best, rad/s"},
-      left: 62, said: `How far the best quiet speed of each solver is short of ${best.toFixed(3)} rad/s, over the first ${until} evaluations`,
+    const {length, shown: until, goal} = this, least = 0.001, most = 20;
+    const sets = Machine.racers.map((name, racer) => {
+      const points = Array.from({length: until}, (_, k) => ({x: k + 1, y: goal - this.bestOf(racer, k + 1), told: name}));
+      return {data: points.filter(({y}) => !Number.isNaN(y)), line: "steps", kind: name, className: `racer-${racer} gap`};
     });
-    Machine.racers.forEach((name, racer) => {
-      let line = "", best = -Infinity, many = 0;
-      this.steps[racer].slice(0, until).forEach(({omega, count}, k) => {
-        if (count <= this.limit) best = Math.max(best, omega);
-        if (best === -Infinity) return;
-        const y = gaps.y(Math.min(20, Math.max(least, this.best - best))).toFixed(1), x = gaps.x(k + 1).toFixed(1);
-        line += line ? `H${x}V${y}` : `M${x} ${y}h0.01`;
-        ++many;
-      });
-      draw(marks, "path", {class: `racer-${racer} gap`, "data-marks": many, d: line || "M0 0"});
+    this.gaps.draw({
+      title: `How far the best quiet speed of each solver is short of the goal, over the first ${plural(until, "evaluation")}`,
+      x: {title: "evaluations", min: 1, max: length},
+      y: {title: "short of the goal, rad/s", min: least, max: most, logarithmic: true, write: (x) => x === least ? `≤ ${x}` : tickLabel(x), second: {unit: "rpm", factor: 30 / Math.PI}},
+      sets, tell: ({told, x, y}) => [told, `${y.toFixed(3)} rad/s short after ${plural(x, "evaluation")}`],
     });
   }
 }

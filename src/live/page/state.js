@@ -14,6 +14,15 @@ class State {
     this.begin("C1");
   }
 
+  // All that undo brings back: see Changes.
+  kept() { return {from: this.from, base: this.base, numbers: this.numbers, fastest: this.fastest}; }
+
+  // Becomes what kept() gave before.
+  restore(kept) {
+    this.machine.set(kept.numbers);
+    Object.assign(this, kept);
+  }
+
   caseNumbers(id) {
     const one = this.machine.cases.find((a) => a.id === id), numbers = [...this.plain];
     for (const [key, x] of [["restitution_lower", one.restitution], ["restitution_upper", one.restitution], ["friction", one.friction], ["disturbance", one.disturbance]]) numbers[this.at[key]] = x;
@@ -38,6 +47,7 @@ class State {
   }
 
   get(key) { return this.numbers[this.at[key]]; }
+  baseOf(key) { return this.base[this.at[key]]; }
 
   // Sets numbers by their keys. Throws an Error, and changes nothing, if that is no machine.
   set(changes) {
@@ -84,5 +94,31 @@ class State {
     }
     try { this.set(changes); } catch (error) { return `The link is of no machine: ${error.message}.`; }
     return "";
+  }
+}
+
+// The states before the present one and, after an undo, those after it.
+class Changes {
+  constructor(state) { Object.assign(this, {state, past: [], future: []}); }
+
+  // Carries out a change of the state. Changes by one source, such as a slider that moves, are one until end() or a second of rest.
+  change(write, source) {
+    const {state} = this, before = state.kept(), now = performance.now(), text = (kept) => JSON.stringify([kept.from, kept.fastest, kept.numbers.map(String), kept.base.map(String)]);
+    write();
+    if (text(state.kept()) === text(before)) return;
+    if (!source || source !== this.source || now - this.since > 1000) this.past.push(before);
+    Object.assign(this, {source, since: now, future: []});
+  }
+
+  end() { this.source = null; }
+
+  undo() { this.move(this.past, this.future); }
+  redo() { this.move(this.future, this.past); }
+
+  move(from, to) {
+    if (!from.length) return;
+    to.push(this.state.kept());
+    this.state.restore(from.pop());
+    this.end();
   }
 }

@@ -21,7 +21,13 @@ const threadScript = () => {
       const step = 1e-3;
       tell({rule: machine.windowRule(scanned(step, step, Math.round(fastest / step)), step, 10, claimed)});
     },
-    regimes: ({fastest}, tell) => tell({regimes: machine.regimes(0.01, fastest)}),
+    // With the border of two collisions a turn, and the most collisions in the window of speeds below it, if there is one.
+    regimes: ({fastest}, tell) => {
+      const regimes = machine.regimes(0.01, fastest), louder = regimes?.findIndex(({most}) => most > 2);
+      const border = louder > 0 ? regimes[louder].from : undefined, end = louder < 0 ? fastest : border;
+      tell({regimes, louder, border, windowLimit: end && machine.quietLimitBelow(end)});
+    },
+    sensitivities: ({border}, tell) => tell({sensitivities: machine.sensitivities(border)}),
     map: ({columns, places, fastest, numbers}, tell) => {
       for (const restitution of columns) {
         const there = [...numbers];
@@ -30,8 +36,10 @@ const threadScript = () => {
         tell({restitution, regimes: machine.regimes(0.01, fastest)});
       }
     },
-    race: ({seed, evaluations, limit, fastest}, tell) =>
-      tell({steps: Machine.racers.map((name, racer) => machine.race(racer, seed, evaluations, limit, fastest))}),
+    race: ({seed, evaluations, limit, fastest, goal}, tell) => tell({
+      steps: Machine.racers.map((name, racer) => machine.race(racer, seed, evaluations, limit, fastest)),
+      goal: goal ?? machine.raceGoal(limit, fastest),
+    }),
   };
   onmessage = ({data}) => {
     if (data.module) machine = new Machine(data.module);
@@ -70,8 +78,11 @@ class Thread {
     this.timer = setTimeout(() => this.giveUp(), Math.max(0, this.patience - age));
   }
 
-  giveUp() {
-    if (!this.waiting) return;
+  giveUp() { if (this.waiting) this.stop(); }
+
+  // Gives up what is computed, and goes on with what waits.
+  stop() {
+    if (!this.asked) return;
     this.worker.terminate();
     this.worker = null;
     this.next();

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "embedded/charts_script.h"
 #include "embedded/citation.h"
 #include "embedded/look.h"
-#include "embedded/live_charts.h"
 #include "embedded/live_controls.h"
 #include "embedded/live_default_machine.h"
 #include "embedded/live_look.h"
@@ -136,10 +136,10 @@ OwnFiles cite_page(const Results& site) {
 
 std::string live_page(const std::string& navigation) {
   std::string scripts;
-  for (const char* script :
-       {embedded::live_state, embedded::live_workers, embedded::live_charts, embedded::live_picture,
-        embedded::live_window_charts, embedded::live_map_chart, embedded::live_race,
-        embedded::live_controls, embedded::live_sentences, embedded::live_page_script}) {
+  for (const char* script : {embedded::charts_script, embedded::live_state, embedded::live_workers,
+                             embedded::live_picture, embedded::live_window_charts,
+                             embedded::live_map_chart, embedded::live_race, embedded::live_controls,
+                             embedded::live_sentences, embedded::live_page_script}) {
     scripts += script;
   }
   const Json page = {{"navigation", navigation},

@@ -44,29 +44,34 @@ TEST_F(FoundReports, OfAFolderThatIsNoneAreNone) {
 }
 
 TEST_F(FoundReports, HaveTheirPagesAndWhatTheseSayOfThemselves) {
-  report::Headline headline;
-  headline.version = report::headline_version;
-  headline.holds = {"family"};
-  keep(folder_, "comparison", {{"report", "comparison"}, {"pages", {"count", "gone"}}});
-  keep(folder_, "comparison/count",
-       {{"report", "comparison_family"}, {"family", "count"}, {"headline", headline}});
+  report::Results results = *found_comparison().results;
+  Json data = json_of(results);
+  data["report"] = "comparison";
+  data["pages"] = {"robustness", "gone"};
+  data["made"] = {{"date", "2031-02-03"}, {"seconds", 1.5}, {"quick", false}};
+  keep(folder_, "comparison", data);
+  report::Results failures;
+  failures.set("finding", "Noise harms.");
+  Json page = json_of(failures);
+  page["report"] = "comparison_failures";
+  keep(folder_, "comparison/robustness", page);
   const auto reports = found_reports(folder_);
   ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports[0].made.date, "2031-02-03");
+  EXPECT_EQ(*reports[0].results->value("made.seconds"), Value(1.5));
   ASSERT_EQ(reports[0].pages.size(), 2U);
-  EXPECT_EQ(reports[0].pages[0].folder, "count");
-  EXPECT_TRUE(holds(reports[0].pages[0].headline, "family"));
-  EXPECT_FALSE(holds(reports[0].pages[0].headline, "entries"));
+  EXPECT_EQ(reports[0].pages[0].folder, "robustness");
+  EXPECT_EQ(reports[0].pages[0].headline->finding, "Noise harms.");
+  EXPECT_EQ(reports[0].pages[0].headline->group, "Robustness");
   EXPECT_FALSE(reports[0].pages[1].headline);
 }
 
 TEST_F(FoundReports, OfAnotherVersionHaveNoHeadline) {
   report::Headline headline;
   headline.version = report::headline_version + 1;
-  keep(folder_, "stress", {{"report", "stress"}, {"headline", headline}});
+  keep(folder_, "dynamics", {{"report", "dynamics"}, {"headline", headline}});
   keep(folder_, "verification", {{"report", "verification"}, {"headline", "Found: all"}});
-  headline.version = report::headline_version;
-  keep(folder_, "surrogate",
-       {{"report", "surrogate"}, {"headline", headline}});  // and nothing else
+  keep(folder_, "surrogate", {{"report", "surrogate"}});  // and nothing else
   EXPECT_EQ(found_reports(folder_).size(), 3U);
   for (const FoundReport& report : found_reports(folder_)) EXPECT_FALSE(report.headline);
 }

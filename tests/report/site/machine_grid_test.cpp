@@ -7,7 +7,7 @@ namespace ricochet::site {
 namespace {
 
 FoundReport with_grid() {
-  FoundReport report = made_up("comparison", {{"pages", {"across"}}}, "comparison");
+  FoundReport report = made_up("comparison", Json::object(), "comparison", {"across"});
   report.pages[0].data = {
       {"machines",
        {{{"family", "count-machines"}},

@@ -23,7 +23,7 @@ TEST(Places, AreInTheOrderOfTheWordsWithTheSitesOwnFirst) {
 }
 
 TEST(Places, HaveThosePagesOfReportsThatNameAGroup) {
-  FoundReport report = made_up("comparison", {{"pages", {"count", "failures"}}}, "comparison");
+  FoundReport report = made_up("comparison", Json::object(), "comparison", {"count", "failures"});
   report.pages[1].headline = report::Headline{};
   report.pages[1].headline->group = "Robustness";
   report.pages[1].headline->label = "Noise";

@@ -47,7 +47,6 @@ TEST_F(Site, IsWrittenAboveAReportOnlyWhereThereIsToBeOne) {
   const std::string page = page_text(folder_ / "reports" / "index.html");
   EXPECT_THAT(page, HasSubstr("No count called certain is wrong."));
   EXPECT_THAT(page, HasSubstr("./ricochet reproduce"));
-  EXPECT_THAT(page, HasSubstr("\"comparison\":null"));
 }
 
 TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
@@ -80,48 +79,17 @@ TEST_F(Site, IsNotWhatIsOneReportOrNone) {
 }
 
 TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
-  FoundReport comparison = found_comparison();
-  Json family = small_family();
-  family["budgets"][1]["ratings"][0]["solver"] = "</script><b>";
-  comparison.data["answers"] = {{{"problem", "<i>"}, {"answer", ""}, {"links", Json::array()}}};
-  comparison.data["headline"] = *comparison.headline;
-  comparison.data["pages"] = {"count"};
-  family["report"] = "comparison_family";
-  family["headline"] = *comparison.headline;
-  family["headline"]["holds"] = {"family"};
-  keep(folder_, "comparison", comparison.data);
-  keep(folder_, "comparison/count", family);
+  report::Results results = *found_comparison().results;
+  results.values.front().second = std::string("<i>");
+  results.tables.front().rows[0][2] = std::string("</script><b>");
+  Json data = json_of(results);
+  data["report"] = "comparison";
+  keep(folder_, "comparison", data);
   write_site(folder_);
   const std::string page = page_text(folder_ / "index.html");
   EXPECT_THAT(page, HasSubstr("&lt;i&gt;"));
-  EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_THAT(page, Not(HasSubstr("<i>")));
-}
-
-TEST_F(Site, TellsTheFireworksReportWhatAComparisonSaysOfTheAlgorithm) {
-  Json data = found_comparison().data;
-  data["headline"] = *found_comparison().headline;
-  data["speed_accuracy"] = {{{"family", "all"},
-                             {"budget", nullptr},
-                             {"largest", true},
-                             {"solver", "fireworks"},
-                             {"formulation", "the best of each"},
-                             {"problems", 9},
-                             {"complete", true},
-                             {"evaluations", 5},
-                             {"share", 0.2},
-                             {"share_lower", 0.1},
-                             {"share_upper", 0.3}}};
-  keep(folder_, "comparison", data);
-  keep(folder_, "mine", {{"report", "fireworks"}});
-  keep(folder_, "other", {{"report", "stress"}});
-  for (const char* report : {"mine", "other"}) {
-    std::ofstream(folder_ / report / "index.html") << "<!-- comparison --><!-- /comparison -->";
-  }
-  write_site(folder_);
-  EXPECT_THAT(page_text(folder_ / "mine" / "index.html"), HasSubstr("fireworks 20 % (10 to 30)"));
-  EXPECT_THAT(page_text(folder_ / "other" / "index.html"), Not(HasSubstr("20 %")));
 }
 
 TEST_F(Site, ShowsThatDataAreOfAnotherVersion) {

@@ -220,6 +220,13 @@ bool asks_in_vain(const std::string& line, const Scope& scope) {
   return asks && !has;
 }
 
+/// Says where the rows are that a page does not show.
+std::string rest_of(const ricochet::Table& table, std::size_t most, const Scope& scope) {
+  return fmt::format("\nThe first {} of {} rows; all are in {}.\n", most, table.rows.size(),
+                     scope.path.empty() ? fmt::format("[{0}.csv]({0}.csv)", table.name)
+                                        : "[data.json](data.json)");
+}
+
 std::string table_markdown(const std::string& what, const Scope& scope) {
   const std::size_t blank = std::min(what.find(' '), what.size());
   const std::string name = what.substr(0, blank);
@@ -231,12 +238,7 @@ std::string table_markdown(const std::string& what, const Scope& scope) {
   const std::string limit = trimmed(what.substr(blank));
   const std::size_t most = limit.empty() ? SIZE_MAX : std::stoul(limit);
   std::string text = markdown_of(*table, most);
-  if (table->rows.size() > most) {
-    text += fmt::format("\nThe first {} of {} rows; all are in {}.\n", most, table->rows.size(),
-                        scope.path.empty() ? fmt::format("[{0}.csv]({0}.csv)", table->name)
-                                           : "[data.json](data.json)");
-  }
-  return text;
+  return table->rows.size() > most ? text + rest_of(*table, most, scope) : text;
 }
 
 /// A picture as Markdown, which is drawn when it is asked for.
@@ -255,18 +257,49 @@ class Filler {
   }
 
  private:
+  /// What a node makes, and whether it asks for something, and has it.
+  struct Made {
+    std::vector<std::string> blocks;
+    std::size_t level = 0;  ///< of a heading
+    bool asks = false;
+  };
+
   std::vector<std::string> blocks(const std::vector<Node>& nodes, const Scope& scope) const {
-    std::vector<std::string> all;
+    std::vector<Made> all;
     for (const Node& node : nodes) {
-      if (node.kind == Node::Kind::block) {
-        if (auto text = block(node.lines, scope); !text.empty()) all.push_back(std::move(text));
+      Made& made = all.emplace_back();
+      if (node.kind != Node::Kind::block) {
+        made.blocks = node.kind == Node::Kind::choose ? chosen(node, scope) : folded(node, scope);
+        made.asks = true;
         continue;
       }
-      const std::vector<std::string> inside =
-          node.kind == Node::Kind::choose ? chosen(node, scope) : folded(node, scope);
-      all.insert(all.end(), inside.begin(), inside.end());
+      if (auto text = block(node.lines, scope); !text.empty())
+        made.blocks.push_back(std::move(text));
+      made.level = level_of(node.lines.front());
+      made.asks = made.level == 0 && std::ranges::any_of(node.lines, [](const std::string& line) {
+                    return line.find("{{") != std::string::npos;
+                  });
     }
-    return without_empty_headings(std::move(all));
+    drop_vain_sections(all);
+    std::vector<std::string> kept;
+    for (const Made& made : all) kept.insert(kept.end(), made.blocks.begin(), made.blocks.end());
+    return without_empty_headings(std::move(kept));
+  }
+
+  /// Empties the sections, below headings of the second level on, that ask for something and have
+  /// nothing of it.
+  static void drop_vain_sections(std::vector<Made>& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].level < 2) continue;
+      bool asks = false, has = false;
+      std::size_t end = i + 1;
+      for (; end < all.size() && (all[end].level == 0 || all[end].level > all[i].level); ++end) {
+        asks = asks || all[end].asks;
+        has = has || (all[end].asks && !all[end].blocks.empty());
+      }
+      if (!asks || has) continue;
+      for (std::size_t k = i; k < end; ++k) all[k].blocks.clear();
+    }
   }
 
   std::vector<std::string> chosen(const Node& node, const Scope& scope) const {
@@ -282,7 +315,8 @@ class Filler {
       Scope inner = scope;
       inner.results.push_back(&part.results);
       inner.path += part.id + "-";
-      all.push_back(fmt::format("<!-- part: {}{} {} -->\n", scope.path, part.id, in_comment(part.title)));
+      all.push_back(
+          fmt::format("<!-- part: {}{} {} -->\n", scope.path, part.id, in_comment(part.title)));
       const auto inside = blocks(node.children, inner);
       all.insert(all.end(), inside.begin(), inside.end());
     }
@@ -304,13 +338,19 @@ class Filler {
       if (lines[0] == "{{view}}") return std::string(view_mark) + "\n";
       if (const auto table = directive(lines[0], "table")) return table_markdown(*table, scope);
     }
-    std::string text;
+    std::string text, rest;
     bool in_code = false;
+    std::size_t most = SIZE_MAX;
     for (const std::string& line : lines) {
       if (line.starts_with("```")) in_code = !in_code;
+      if (const auto limit = directive(line, "rows")) {
+        most = std::stoul(*limit);
+        continue;
+      }
       if (const ricochet::Table* table = repeated_in(line, scope)) {
         if (table->rows.empty()) return "";
-        for (std::size_t row = 0; row < table->rows.size(); ++row) {
+        if (table->rows.size() > most) rest = rest_of(*table, most, scope);
+        for (std::size_t row = 0; row < std::min(most, table->rows.size()); ++row) {
           Scope at = scope;
           at.table = table;
           at.row = row;
@@ -336,7 +376,7 @@ class Filler {
       if (!one) return "";
       text += *one + "\n";
     }
-    return text;
+    return text + rest;
   }
 
   /// Level of a block that is a heading; 0 if it is none.
@@ -460,7 +500,8 @@ PageFiles page_files(const PageSource& page, const Results& results,
   });
   std::string markdown = with_files(filler.page(page, results));
   for (const ricochet::Table& table : results.tables) {
-    if (!table.rows.empty() && !table.name.starts_with("view-")) written.files[table.name + ".csv"] = csv_of(table);
+    if (!table.rows.empty() && !table.name.starts_with("view-"))
+      written.files[table.name + ".csv"] = csv_of(table);
   }
   Json view;
   for (const ricochet::Table& table : results.tables) {

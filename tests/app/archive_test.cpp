@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
 
@@ -58,13 +59,14 @@ TEST_F(Archives, AreReadAsStores) {
 
 TEST_F(Archives, StandBesideAUsersSolver) {
   const fs::path out = compared();
-  const Json data = report::data_in(read(out / "data.json"));
-  ASSERT_EQ(data["own_totals"].size(), 1U);
-  EXPECT_EQ(data["own_totals"][0]["solver"], "mine");
-  EXPECT_EQ(data["own_solvers"][0]["rivals"], 2);
-  EXPECT_EQ(data["own_solvers"][0]["family"], "classic");
-  const auto problems = data["own_totals"][0]["problems"].get<int>();
-  EXPECT_EQ(data["runs"], 3 * 2 * problems);
+  const report::Results data = report::results_in(report::data_in(read(out / "data.json")));
+  const Table& totals = *data.table("own-totals");
+  ASSERT_EQ(totals.rows.size(), 1U);
+  EXPECT_EQ(totals[0].text("solver"), "mine");
+  const Row own = (*data.table("own-solvers"))[0];
+  EXPECT_EQ(own.number("rivals"), 2);
+  EXPECT_EQ(own.text("family"), "classic");
+  EXPECT_EQ(number_in(*data.value("runs")), 3 * 2 * totals[0].number("problems"));
   EXPECT_THAT(read(out / "summary.md"), HasSubstr("Your solver"));
 }
 

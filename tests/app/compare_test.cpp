@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
 
@@ -13,6 +14,11 @@ namespace {
 
 using report::Json;
 
+/// What the page of a family says of the first one on it.
+report::Results family_of(const std::filesystem::path& folder) {
+  return report::results_in(report::data_in(read(folder / "data.json"))).parts.at("families").at(0).results;
+}
+
 TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   const auto folder = fresh_folder() / "mine";
   const Outcome outcome = call(
@@ -20,24 +26,25 @@ TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
       "--budget 5,20 --instances 2 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\ntop-speed +20 "));
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
   EXPECT_TRUE(std::filesystem::exists(folder / "leaders.csv"));
   const Json data = report::data_in(read(folder / "data.json"));
   EXPECT_EQ(data["pages"], (Json{"top-speed", "profile-count", "solvers", "view"}));
-  const Json family = report::data_in(read(folder / "top-speed" / "data.json"));
+  const report::Results family = family_of(folder / "top-speed");
   std::set<std::string> cobyla;
-  for (const Json& result : family["results"]) {
-    if (result["solver"] == "nlopt-cobyla") cobyla.insert(result["formulation"].get<std::string>());
-    EXPECT_EQ(result["runs"], 2);
-    EXPECT_LE(result["found"]["lower"], result["found"]["share"]);
-  }
+  each_row(*family.table("results"), [&](const Row& result) {
+    if (result.text("solver") == "nlopt-cobyla") cobyla.insert(result.text("formulation"));
+    EXPECT_EQ(result.number("runs"), 2);
+    EXPECT_LE(result.number("returned_lower"), result.number("returned"));
+  });
   EXPECT_EQ(cobyla, (std::set<std::string>{"count", "surrogate", "penalised-count",
                                            "penalised-surrogate"}));
-  EXPECT_EQ(family["ceilings"].size(), 1U);
-  EXPECT_FALSE(family["formulations"].empty());
-  EXPECT_FALSE(data["relocated_optima"].empty());
-  EXPECT_EQ(data["relocated"][0]["problems"], 1);
+  EXPECT_EQ(family.table("surrogate-bias")->rows.size(), 1U);
+  EXPECT_FALSE(family.table("formulations")->rows.empty());
+  const report::Results all = report::results_in(data);
+  EXPECT_FALSE(all.table("relocated-optima")->rows.empty());
+  EXPECT_EQ(*all.value("relocated"), Value("1 problem of 1 variable"));
 }
 
 TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
@@ -49,13 +56,14 @@ TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
   const Outcome first = call(command);
   ASSERT_EQ(first.exit_code, 0) << first.err;
   const Json data = report::data_in(read(folder / "data.json"));
-  const std::string runs = fmt::format("{} runs", data["runs"].get<int>());
+  const report::Results results = report::results_in(data);
+  const std::string runs = fmt::format("{} runs", data["values"]["runs"].get<int>());
   EXPECT_THAT(first.err, testing::HasSubstr(runs + " of "));
   std::set<std::string> whats;
-  for (const Json& row : data["orders"]) whats.insert(row["what"].get<std::string>());
-  EXPECT_TRUE(whats.contains("machines drawn around the cases")) << data["orders"];
+  each_row(*results.table("orders"), [&](const Row& row) { whats.insert(row.text("changed")); });
+  EXPECT_TRUE(whats.contains("machines drawn around the cases"));
   EXPECT_TRUE(whats.contains("other seeds"));
-  EXPECT_FALSE(data["relocated_optima"].empty());
+  EXPECT_FALSE(results.table("relocated-optima")->rows.empty());
   const Outcome again = call(command);
   EXPECT_THAT(again.err, testing::HasSubstr(runs + " are there already"));
   Json same = report::data_in(read(folder / "data.json"));
@@ -72,7 +80,7 @@ TEST(Compare, AsksTheProblemsOfAMachineOfOnesOwn) {
       folder.string();
   const Outcome outcome = call(command);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\ntop-speed +20 "));
   EXPECT_EQ(report::data_in(read(folder / "data.json"))["pages"],
             (Json{"top-speed", "solvers", "view"}));
   EXPECT_THAT(call("replay " + (folder / "runs.sqlite").string() + " 1").out,
@@ -88,8 +96,7 @@ TEST(Compare, ChoosesFormulations) {
       "--instances 1 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const Json data = report::data_in(read(folder / "top-speed" / "data.json"));
-  EXPECT_EQ(data["results"].size(), 2U);
+  EXPECT_EQ(family_of(folder / "top-speed").table("results")->rows.size(), 2U);
 }
 
 /// BOBYQA with a first step of a quarter of the box and of a thousandth, random search beside it.

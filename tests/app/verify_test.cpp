@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/report/results.h"
 #include "tests/app/tool.h"
 
 namespace ricochet::cli {
@@ -15,22 +16,24 @@ using testing::HasSubstr;
 TEST(Verify, FindsNoCertainCountWrong) {
   const Outcome outcome = call("verify --scenes 200 --format json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto json = ordered_json::parse(outcome.out);
-  const auto& all = json["scenes"].back();
-  EXPECT_EQ(all["name"], "all");
-  EXPECT_EQ(all["scenes"], 200);
-  EXPECT_EQ(all["wrong_certain"], 0);
-  EXPECT_GT(all["certain"], 0.8);  // three of the thirteen kinds are open by design
-  EXPECT_GT(all["matched"], 700);
-  EXPECT_LT(all["time_error"], 1e-5);
-  EXPECT_TRUE(json["wrong"].empty());
-  ASSERT_EQ(json["quiet_speeds"].size(), 12U);
-  for (const auto& quiet : json["quiet_speeds"]) {
-    EXPECT_GT(quiet["speeds"], 100);
-    EXPECT_GT(quiet["compared"], 10);
-    EXPECT_GT(quiet["certain"], 0.99);
-    EXPECT_EQ(quiet["wrong_certain"], 0);
-  }
+  const auto results = report::results_in(report::Json::parse(outcome.out));
+  const Table& scenes = *results.table("scenes");
+  const Row all = scenes[scenes.rows.size() - 1];
+  EXPECT_EQ(all.text("scenes"), "all");
+  EXPECT_EQ(all.number("number"), 200);
+  EXPECT_EQ(all.number("wrong_certain"), 0);
+  EXPECT_GT(all.number("certain"), 0.8);  // three of the thirteen kinds are open by design
+  EXPECT_GT(all.number("matched"), 700);
+  EXPECT_LT(all.number("time_error"), 1e-5);
+  EXPECT_TRUE(is_missing(*results.value("wrong")));
+  const Table& speeds = *results.table("quiet-speeds");
+  ASSERT_EQ(speeds.rows.size(), 12U);
+  each_row(speeds, [](const Row& quiet) {
+    EXPECT_GT(quiet.number("speeds"), 100);
+    EXPECT_GT(quiet.number("compared"), 10);
+    EXPECT_GT(quiet.number("certain"), 0.99);
+    EXPECT_EQ(quiet.number("wrong_certain"), 0);
+  });
 }
 
 TEST(Verify, ShowsOneSceneWithBothListsOfImpacts) {

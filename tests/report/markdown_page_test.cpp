@@ -59,6 +59,21 @@ TEST(MarkdownPage, LeavesOutBlocksAndHeadingsWithoutValues) {
             "Text.\n");
 }
 
+TEST(MarkdownPage, LeavesOutASectionThatHasNothingOfWhatItAsksFor) {
+  EXPECT_EQ(
+      filled_text("# P\n\n## A\n\nWords.\n\n{{table empty}}\n\n### B\n\nMore.\n\n## C\n\nEnd.\n",
+                  results()),
+      "# P\n\n## C\n\nEnd.\n");
+  EXPECT_EQ(filled_text("## A\n\nWords.\n\n{{table empty}}\n\nAt {{speed:.0f}}.\n", results()),
+            "## A\n\nWords.\n\nAt 8.\n");
+}
+
+TEST(MarkdownPage, ShowsTheFirstRowsOfALongTable) {
+  EXPECT_EQ(
+      filled_text("{{rows 1}}\n| case |\n|:--|\n| {{cases.id}} |\n", results()),
+      "| case |\n|:--|\n| C1 |\n\nThe first 1 of 2 rows; all are in [cases.csv](cases.csv).\n");
+}
+
 TEST(MarkdownPage, RepeatsALineForEachRow) {
   EXPECT_EQ(filled_text("| case | speed |\n|:--|--:|\n| [{{cases.id}}]({{cases.id}}/) | "
                         "{{cases.threshold:.1f}} rad/s |\n",

@@ -36,14 +36,9 @@ def close(what, ours, told, tolerance):
 
 
 def records(data):
-    """Lists of records are written as columns and rows."""
-    if isinstance(data, list):
-        return [records(one) for one in data]
-    if not isinstance(data, dict):
-        return data
-    if set(data) == {"columns", "rows"}:
-        return [dict(zip(data["columns"], map(records, row))) for row in data["rows"]]
-    return {key: records(value) for key, value in data.items()}
+    """The rows of a table of data.json."""
+    names = [column["name"] for column in data["columns"]]
+    return [dict(zip(names, row)) for row in data["rows"]]
 
 
 def table(file):
@@ -147,35 +142,36 @@ def targets(problem, tolerance):
 
 def check_results(page, cells):
     """Success rates and the expected running time, of runs that differ."""
-    for row in page["results"]:
+    for row in records(page["tables"]["results"]):
         runs = cells[row["solver"], row["formulation"]][row["problem"]].values()
         distinct = {(run.charged, run.gap, tuple(run.steps)): run for run in runs}.values()
         solved = sum(run.solved for run in distinct)
-        close("returned: share", solved / len(distinct), row["returned"]["share"], 1e-3)
-        close("returned: upper end", wilson(solved, len(distinct))[1], row["returned"]["upper"], 2e-3)
+        close("returned: share", solved / len(distinct), row["returned"], 1e-3)
+        close("returned: upper end", wilson(solved, len(distinct))[1], row["returned_upper"], 2e-3)
         if solved == 0:
             assert row["running_time"] is None
             continue
         spent = sum(run.cost if run.solved else run.charged for run in distinct)
-        close("ERT: value", spent / solved, row["running_time"]["value"], 1e-5 * spent)
+        close("ERT: value", spent / solved, row["running_time"], 1e-5 * spent)
 
 
 def check_family(report, family, cells, tolerances):
-    page = records(json.loads((report / family / "data.json").read_text()))
-    ratings = page["budgets"][-1]["ratings"]
-    problems = [problem["problem"] for problem in page["problems"]]
+    page = json.loads((report / family / "data.json").read_text())["parts"]["families"][0]
+    ratings = records(page["parts"]["budgets"][0]["tables"]["ratings"])
+    stated = records(page["tables"]["problems"])
+    problems = [problem["problem"] for problem in stated]
     instances = sorted(next(iter(next(iter(cells.values())).values())))
     takes, ranked = ranked_problems(cells, problems, instances)
     draw = random.Random(1)
     best = probabilities(ranked, draw)
     ranks = means(ranked)
-    goals = {p["problem"]: targets(p, tolerances[p["problem"]]) for p in page["problems"]}
+    goals = {p["problem"]: targets(p, tolerances[p["problem"]]) for p in stated}
     assert len(ratings) == len(cells)
     for rating in ratings:
         entry = rating["solver"], rating["formulation"]
         mine = cells[entry]
         runs = [run for of_problem in mine.values() for run in of_problem.values()]
-        close("rating: problems", len(mine), rating["problems"], 0)
+        close("rating: problems", len(mine), rating["takes"], 0)
         close("rating: returned", statistics.fmean(run.solved for run in runs), rating["returned"], 1e-3)
         close("rating: best evaluated", statistics.fmean(run.found for run in runs), rating["found"], 1e-3)
         reached = statistics.fmean(run.gap <= goal for q in mine for run in mine[q].values() for goal in goals[q]) \
@@ -189,13 +185,13 @@ def check_family(report, family, cells, tolerances):
         close("rating: mean rank", 1 + ranks[entry] * (len(takes) - 1), rating["rank"], 0.006 * rating["rank"])
         close("rating: P(best)", best[entry], rating["best"], 0.05)
     check_results(page, cells)
-    summary = records(json.loads((report / "data.json").read_text()))
-    row = next(row for row in summary["held_out"] if row["family"] == family)
-    if row["measured"]:
+    summary = json.loads((report / "data.json").read_text())["tables"]
+    row = next(row for row in records(summary["held-out"]) if row["family"] == family)
+    if row["correlation"] is not None:
         check_held_out(row, ranked, draw)
     halves = [means(ranked_problems(cells, problems, instances[k::2][:len(instances) // 2])[1]) for k in (0, 1)]
-    for row in summary["orders"]:
-        if row["family"] == family and row["what"] == "the other half of the instances":
+    for row in records(summary["orders"]):
+        if row["family"] == family and row["changed"] == "the other half of the instances":
             close("orders: correlation", tau(*halves), row["correlation"], 2e-3)
 
 

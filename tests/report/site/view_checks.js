@@ -4,6 +4,9 @@ import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
+// The rows of a table of data.json as records.
+export const records = ({columns, rows}) => rows.map((row) => Object.fromEntries(row.map((value, i) => [columns[i].name, value])));
+
 // Whether a number is what the data round to so many digits.
 const near = (a, rounded, digits) => Math.abs(a - rounded) <= 0.51 * 10 ** (Math.floor(Math.log10(Math.abs(rounded) || 1)) + 1 - digits);
 
@@ -69,19 +72,23 @@ const checkCells = async ({open, check, folder}, page) => {
   await map.close();
 };
 
-export const checkView = async ({open, check, unpacked, folder, program}) => {
+export const checkView = async ({open, check, folder, program}) => {
   const name = "comparison/view/index.html", file = path.join(folder, name);
   check(fs.existsSync(file), "the comparison has no view of the reader's own");
   if (!fs.existsSync(file)) return;
   check(fs.statSync(file).size <= 1_000_000, "the view has more than 1 MB");
-  const dataOf = (page) => unpacked(JSON.parse(fs.readFileSync(path.join(folder, "comparison", page, "data.json"), "utf8")));
-  const comparison = dataOf("."), {view} = dataOf("view");
+  const dataOf = (page) => JSON.parse(fs.readFileSync(path.join(folder, "comparison", page, "data.json"), "utf8"));
+  const rated = records(dataOf(".").tables["speed-accuracy"]), {tables} = dataOf("view");
+  const view = {families: records(tables["view-families"]).map((one) => ({...one, problems: one.problems.split(" ").map(Number)})),
+    problems: records(tables["view-problems"]), entries: records(tables["view-entries"]), perturbations: records(tables["view-perturbations"]).map((one) => one.name)};
+  // The parts of the families' pages, by family.
+  const parts = new Map(dataOf(".").pages.flatMap((own) => dataOf(own).report === "comparison_family" ? dataOf(own).parts.families.map((part) => [part.id, part]) : []));
   const page = await open(name);
   const read = (selector) => page.$eval(selector, (one) => one.textContent);
 
   // At first: all families, each solver in its best formulations, as the table of speed and accuracy.
   const first = await computed(page, {});
-  const joint = comparison.speed_accuracy.filter((row) => row.family === "all");
+  const joint = rated.filter((row) => row.family === "all");
   check(joint.length > 10 && first.contestants.filter((one) => one.complete).length === joint.length, "not as many entries take all problems as the tables say");
   const families = view.families.map((one) => one.family);
   let compared = 0, disturbed = 0;
@@ -91,8 +98,8 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
       check(one, `view of ${where}: ${row.solver}, ${row.formulation} is not there`);
       if (!one) continue;
       const fits = near(one.share, row.share, 3) && near(one.evaluations, row.evaluations, 4) && one.taken === row.problems &&
-        near(one.lower, row.share_lower, 3) && near(one.upper, row.share_upper, 3);
-      check(fits, `view of ${where}: ${one.name} has ${one.share} [${one.lower}, ${one.upper}], ${one.evaluations} on ${one.taken}; the table ${row.share} [${row.share_lower}, ${row.share_upper}], ${row.evaluations} on ${row.problems}`);
+        near(one.lower, row.lower, 3) && near(one.upper, row.upper, 3);
+      check(fits, `view of ${where}: ${one.name} has ${one.share} [${one.lower}, ${one.upper}], ${one.evaluations} on ${one.taken}; the table ${row.share} [${row.lower}, ${row.upper}], ${row.evaluations} on ${row.problems}`);
       ++compared;
     }
   };
@@ -102,14 +109,14 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
 
   // Every family with its budgets, and PAR10 as the performance profiles have it.
   for (const family of families) {
-    const rows = comparison.speed_accuracy.filter((row) => row.family === family);
+    const rows = rated.filter((row) => row.family === family);
     for (const budget of new Set(rows.map((row) => row.budget))) {
       const found = await computed(page, {family, budget});
       check(found.complaint === "", `view of ${family}: ${found.complaint}`);
       const own = rows.filter((row) => row.budget === budget);
       compare(own, found, family);
-      if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
-      for (const row of dataOf(family).profile_families.flatMap((one) => one.budget === budget ? one.rows : [])) {
+      if (!own.some((row) => row.largest) || !parts.has(family)) continue;
+      for (const row of records(parts.get(family).tables.profile)) {
         const one = found.contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
         check(one && near(one.par10, row.cost, 6), `view of ${family}: PAR10 of ${row.solver} is ${one?.par10}, in the table ${row.cost}`);
       }
@@ -120,10 +127,10 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
   // 10,000 draws of the instances, which weigh about as much.
   let ranked = 0, uncertain = 0, apart = 0;
   for (const family of families) {
-    if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
-    for (const {budget, ratings} of dataOf(family).budgets ?? []) {
-      const {contestants} = await computed(page, {family, budget, formulation: "all"});
-      for (const row of ratings) {
+    if (!parts.has(family)) continue;
+    for (const {id, tables: own} of parts.get(family).parts.budgets) {
+      const budget = Number(id), {contestants} = await computed(page, {family, budget, formulation: "all"});
+      for (const row of records(own.ratings)) {
         const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`), has = (number) => Number.isFinite(number);
         check(has(one.rank) === has(row.rank) && (!has(row.rank) || near(one.rank, row.rank, 3)), `view of ${family}: ${one.name} has mean rank ${one.rank}, in the table ${row.rank}`);
         check(has(one.first) === has(row.best), `view of ${family}: ${one.name} has P(best) ${one.first}, in the table ${row.best}`);
@@ -141,23 +148,23 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
   check(apart <= .02 * uncertain, `P(best) of the view and of the tables differ by ${apart / uncertain} in the mean`);
 
   // Expected running times, as the pages of three solvers have them.
-  for (const solver of ["mads", "nlopt-cobyla", "bisection"]) {
-    for (const row of dataOf(`solvers/${solver}`).families.filter((one) => families.includes(one.family))) {
+  for (const {id: solver, tables: own} of dataOf("solvers").parts.solvers.filter(({id}) => ["mads", "nlopt-cobyla", "bisection"].includes(id))) {
+    for (const row of records(own.families).filter((one) => families.includes(one.family))) {
       const one = (await computed(page, {family: row.family})).contestants.find((other) => other.solver === solver);
       check(row.running_time === null ? Number.isNaN(one.ert) || one.ert === null : near(one.ert, row.running_time, 3), `view of ${row.family}: ERT of ${solver} is ${one.ert}, on its page ${row.running_time}`);
     }
   }
 
   // Under perturbations, as the page about robustness has them.
-  const {perturbation_names: names, perturbation_rows: perturbed} = dataOf("failure-atlas");
-  for (const [place, {perturbation}] of names.entries()) {
+  const perturbed = records(dataOf("robustness").tables["perturbation-rates"]);
+  for (const perturbation of view.perturbations) {
     for (const own of view.families.filter((_, i) => view.entries.some((entry) => entry.family === i && view.perturbations[entry.perturbation] === perturbation))) {
-      const rows = perturbed.filter((row) => row.shares[place] !== null && (own.family === row.family || own.family.startsWith(`${row.family}-`)));
+      const rows = perturbed.filter((row) => row[perturbation] !== undefined && row[perturbation] !== null && (own.family === row.family || own.family.startsWith(`${row.family}-`)));
       if (perturbation === "plain" || rows.length === 0) continue;
       const {contestants, complaint} = await computed(page, {family: own.family, perturbation, budget: rows[0].budget, formulation: "all"});
       for (const row of complaint === "" ? rows : []) {
         const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
-        check(!one || one.taken !== row.problems || near(one.share, row.shares[place], 3), `view of ${own.family} under ${perturbation}: ${row.entry} has ${one?.share}, in the table ${row.shares[place]}`);
+        check(!one || one.taken !== row.problems || near(one.share, row[perturbation], 3), `view of ${own.family} under ${perturbation}: ${row.solver} has ${one?.share}, in the table ${row[perturbation]}`);
         if (one && one.taken === row.problems) ++disturbed;
       }
     }

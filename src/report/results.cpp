@@ -286,19 +286,32 @@ Json json_of(const Results& results) {
   return json;
 }
 
+namespace {
+
+/// Calls `use` with the name and the data of each member of the object of this name, if it is
+/// there.
+template <class Use>
+void each_in(const Json& json, const char* name, const Use& use) {
+  const auto found = json.find(name);
+  if (found == json.end()) return;
+  for (const auto& [key, value] : found->items()) use(key, value);
+}
+
+}  // namespace
+
 Results results_in(const Json& json) {
   Results results;
-  const Json none = Json::object();
-  for (const auto& [name, value] : json.value("values", none).items())
+  each_in(json, "values", [&](const std::string& name, const Json& value) {
     results.values.emplace_back(name, value_in(value));
-  for (const auto& [name, table] : json.value("tables", none).items())
-    results.add(table_in(name, table));
-  for (const auto& [name, chart] : json.value("charts", none).items())
-    results.add(chart_in(name, chart));
-  for (const auto& [name, list] : json.value("parts", none).items()) {
+  });
+  each_in(json, "tables",
+          [&](const std::string& name, const Json& table) { results.add(table_in(name, table)); });
+  each_in(json, "charts",
+          [&](const std::string& name, const Json& chart) { results.add(chart_in(name, chart)); });
+  each_in(json, "parts", [&](const std::string& name, const Json& list) {
     for (const Json& part : list)
       results.add(name, {part.at("id"), part.at("title"), results_in(part)});
-  }
+  });
   return results;
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/page_reproduction.h"
 #include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
@@ -20,7 +21,6 @@
 #include "embedded/template_fireworks.h"
 #include "embedded/template_impact_test.h"
 #include "embedded/template_problems.h"
-#include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
 #include "ricochet/error.h"
@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 
 /// In the order of the kinds on a site.
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"reproduction", embedded::template_reproduction},
+    {"reproduction", embedded::page_reproduction},
     {"comparison", embedded::template_comparison},
     {"comparison_family", embedded::template_comparison_family},
     {"comparison_machines", embedded::template_comparison_machines},
@@ -164,7 +164,8 @@ std::vector<std::string> page_names() {
 
 Results results_of(const Json& data) {
   Results results = results_in(data);
-  for (const auto& [name, value] : data.value("made", Json::object()).items()) {
+  const Json made = data.value("made", Json::object());
+  for (const auto& [name, value] : made.items()) {
     if (value.is_string()) results.set("made." + name, value.get<std::string>());
     if (value.is_number()) results.set("made." + name, value.get<double>());
     if (value.is_boolean()) results.set("made." + name, value.get<bool>());

@@ -55,6 +55,54 @@ void add_excerpts(const report::Headline& headline, const std::string& folder, F
   }
 }
 
+/// "8.07–8.08", or one number; empty without any.
+std::string extent_of(const std::vector<double>& speeds, const char* form) {
+  if (speeds.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(speeds);
+  const std::string first = fmt::format(fmt::runtime(form), least);
+  return least == most ? first : first + "–" + fmt::format(fmt::runtime(form), most);
+}
+
+/// Adds the speeds of the paper's machines, a row for those that differ in the disturbance alone.
+void add_speeds(const PaperMachines& all, Front& front) {
+  const auto range = quiet_range(all.machines);
+  if (!range) return;
+  FrontExcerpt speeds{
+      .heading = fmt::format("{:.1f} to {:.1f} rad/s", range->first, range->second),
+      .text =
+          fmt::format("{:.0f} to {:.0f} rpm. While quiet, no turn of the long run has more than "
+                      "two collisions.",
+                      range->first * rpm, range->second * rpm),
+      .links = {{"the paper's cases", all.folder, ""}},
+      .caption = "Fastest quiet speeds [rad/s]",
+      .columns = {{"cases", true},
+                  {"restitution", false},
+                  {"friction", false},
+                  {"silent to", false},
+                  {"quiet to", false},
+                  {"paper", false}}};
+  for (std::size_t i = 0; i < all.machines.size();) {
+    const PaperMachine& first = all.machines[i];
+    std::string ids;
+    std::vector<double> silent, quiet, published;
+    for (; i < all.machines.size(); ++i) {
+      const PaperMachine& one = all.machines[i];
+      if (one.restitution != first.restitution || one.friction != first.friction) break;
+      ids += (ids.empty() ? "" : ", ") + one.id;
+      if (one.silent_up_to) silent.push_back(*one.silent_up_to);
+      if (one.quiet_up_to) quiet.push_back(*one.quiet_up_to);
+      if (one.paper_threshold) published.push_back(*one.paper_threshold);
+    }
+    speeds.rows.push_back({{{ids, all.folder, cases_anchor, true},
+                            {fmt::format("{}", first.restitution), "", "", false},
+                            {fmt::format("{}", first.friction), "", "", false},
+                            {extent_of(silent, "{:.2f}"), "", "", false},
+                            {extent_of(quiet, "{:.2f}"), "", "", false},
+                            {extent_of(published, "{}"), "", "", false}}});
+  }
+  front.speed.insert(front.speed.begin(), std::move(speeds));
+}
+
 /// Adds the ranks of external solvers with the largest budget of each family, and the number of
 /// entries.
 void add_places(const Comparison& comparison, Front& front) {
@@ -131,6 +179,7 @@ void read_machines(const std::vector<FoundReport>& reports, Front& front) {
   front.machines = read_or_mark(of_kind(reports, "reproduction"), front, [&](const FoundReport&) {
                      return paper_machines(reports);
                    }).value_or(std::nullopt);
+  if (front.machines) add_speeds(*front.machines, front);
 }
 
 /// Reads the largest comparison, and what follows from it.

@@ -155,7 +155,18 @@ std::optional<FrontExcerpt> on_paper(const PaperMachines& all) {
                   all.fitted
                       ? fmt::format(", after fitting {} parameters to its thresholds", *all.fitted)
                       : ""),
-      {{"every case", all.folder, "#long-run"}});
+      {{"every case", all.folder, cases_anchor}});
+}
+
+/// The fastest quiet speed of one of the machines.
+std::optional<FrontExcerpt> on_speed(const PaperMachines& all) {
+  const auto machine =
+      std::ranges::find_if(all.machines, [](const PaperMachine& one) { return one.id == "C3"; });
+  if (machine == all.machines.end() || !machine->quiet_up_to) return std::nullopt;
+  return answer(
+      fmt::format("How fast may {} run?", machine->id),
+      fmt::format("{:.2f} rad/s, {:.0f} rpm.", *machine->quiet_up_to, *machine->quiet_up_to * rpm),
+      {{"every case", all.folder, cases_anchor}});
 }
 
 }  // namespace
@@ -181,13 +192,13 @@ std::vector<FrontExcerpt> first_answers(const Answered& answered) {
     }
   }
   if (answered.machines) {
-    const std::string effects = effects_sentence(*answered.machines);
-    if (!effects.empty()) {
-      all.push_back(answer("What moves the threshold?", effects,
-                           {{"values between", "machine", "#what-if"}}));
+    const std::string& moves = answered.machines->moves;
+    if (!moves.empty()) {
+      all.push_back(
+          answer("What moves the threshold?", moves, {{"values between", "machine", "#what-if"}}));
     }
     all.push_back(answer("Does the paper agree?", agreement_sentence(*answered.machines),
-                         {{"the paper's cases", answered.machines->folder, "#thresholds"}}));
+                         {{"the paper's cases", answered.machines->folder, cases_anchor}}));
   }
   return all;
 }
@@ -195,6 +206,7 @@ std::vector<FrontExcerpt> first_answers(const Answered& answered) {
 std::vector<FrontExcerpt> further_answers(const Answered& answered) {
   std::vector<FrontExcerpt> all;
   if (answered.machines) {
+    if (auto one = on_speed(*answered.machines)) all.push_back(std::move(*one));
     if (auto one = on_paper(*answered.machines)) all.push_back(std::move(*one));
     if (auto one = on_what_if(*answered.machines, answered.reports)) {
       all.push_back(std::move(*one));

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
+#include "src/report/results.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {
@@ -37,6 +40,40 @@ TEST(Front, PutsExcerptsUnderTheirTopics) {
   EXPECT_EQ(question.links[0].folder, "first/count");
   EXPECT_EQ(question.links[0].anchor, "#there");
   EXPECT_EQ(question.links[1].folder, "first");
+}
+
+TEST(Front, HasTheSpeedsOfThePapersMachinesByRestitutionAndFriction) {
+  report::Results results;
+  ricochet::Table cases{"thresholds",
+                        {{"case"},
+                         {"restitution"},
+                         {"friction"},
+                         {"disturbance"},
+                         {"silent_up_to"},
+                         {"quiet_up_to"},
+                         {"paper_threshold"}}};
+  cases.add("C1", 0.1, 0.1, 0, 1.5, 8.0, 9);
+  cases.add("C2", 0.9, 0.1, 0, 1.5, 2.0, std::nullopt);
+  cases.add("C3", 0.1, 0.4, 0, 2.9, 12.1, 13);
+  cases.add("C5", 0.1, 0.1, 0.1, 1.4, 7.5, 8);
+  results.add(cases);
+  const Front front = front_of({made_up("reproduction", json_of(results), "first")});
+  ASSERT_EQ(front.speed.size(), 1U);
+  EXPECT_EQ(front.speed[0].heading, "2.0 to 12.1 rad/s");
+  EXPECT_THAT(front.speed[0].text, HasSubstr("19 to 116 rpm"));
+  std::vector<std::string> texts;
+  for (const FrontRow& row : front.speed[0].rows) {
+    std::string text;
+    for (const FrontCell& cell : row.cells) text += cell.text + "|";
+    texts.push_back(text);
+  }
+  EXPECT_THAT(texts, testing::ElementsAre("C3|0.1|0.4|2.90|12.10|13|",
+                                          "C1, C5|0.1|0.1|1.40–1.50|7.50–8.00|8–9|",
+                                          "C2|0.9|0.1|1.50|2.00||"));
+  const auto asked =
+      std::ranges::find(front.question, "How fast may C3 run?", &FrontExcerpt::heading);
+  ASSERT_NE(asked, front.question.end());
+  EXPECT_EQ(asked->text, "12.10 rad/s, 116 rpm.");
 }
 
 TEST(Front, HasTheExcerptsOfFurtherPagesToo) {

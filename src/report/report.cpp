@@ -7,6 +7,7 @@
 
 #include "embedded/page_fireworks.h"
 #include "embedded/page_surrogate.h"
+#include "embedded/page_reproduction.h"
 #include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
@@ -20,7 +21,6 @@
 #include "embedded/template_family.h"
 #include "embedded/template_impact_test.h"
 #include "embedded/template_problems.h"
-#include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 /// In the order of the kinds on a site.
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"reproduction", embedded::template_reproduction},
+    {"reproduction", embedded::page_reproduction},
     {"comparison", embedded::page_comparison},
     {"comparison_family", embedded::page_comparison_family},
     {"comparison_machines", embedded::page_comparison_machines},

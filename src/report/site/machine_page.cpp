@@ -93,14 +93,8 @@ OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundRepor
   if (const auto grid = machine_grid(reports)) {
     moves.tables.push_back(grid_table(*grid, machines.machines));
   }
+  for (const report::Chart& chart : machines.charts) moves.figures.push_back({chart, ""});
   own.page.sections.push_back(std::move(moves));
-  report::Section curves{.id = "restitution", .heading = "The threshold over restitution"};
-  for (const FoundReport& report : reports) {
-    if (report.folder != machines.folder || !report.headline) continue;
-    for (const report::Chart& chart : report.headline->charts)
-      curves.figures.push_back({chart, ""});
-  }
-  if (!curves.figures.empty()) own.page.sections.push_back(std::move(curves));
   own.page.sections.push_back({.id = "machines",
                                .heading = "The paper's machines",
                                .paragraphs = {agreement_sentence(machines)},

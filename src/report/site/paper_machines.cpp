@@ -5,62 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <tuple>
+
+#include "src/report/results.h"
 
 namespace ricochet::site {
 
-RICOCHET_FIELDS(PaperMachine, id, restitution, friction, disturbance, silent_up_to, quiet_up_to,
-                paper_threshold);
-
 namespace {
-
-struct Agreement {
-  std::int64_t thresholds;
-  double error;
-};
-RICOCHET_FIELDS(Agreement, thresholds, error);
-
-struct Fit {
-  std::optional<std::int64_t> fitted;
-};
-RICOCHET_FIELDS(Fit, fitted);
 
 constexpr double shown_to = 14;  ///< [rad/s], at least, of the chart
 constexpr double half_column = 0.42;
-
-/// The three constants, with their names.
-using Constant = double PaperMachine::*;
-constexpr std::pair<const char*, Constant> constants[] = {
-    {"restitution", &PaperMachine::restitution},
-    {"friction", &PaperMachine::friction},
-    {"disturbance", &PaperMachine::disturbance}};
-
-/// Returns true if the two differ in no constant but this one.
-bool alike_except(const PaperMachine& a, const PaperMachine& b, Constant constant) {
-  return std::ranges::all_of(constants, [&](const auto& one) {
-    return one.second == constant || a.*one.second == b.*one.second;
-  });
-}
-
-std::optional<ThresholdEffect> effect_of(const std::vector<PaperMachine>& machines,
-                                         const char* name, Constant constant) {
-  const auto [low, high] = std::ranges::minmax_element(machines, {}, constant);
-  if (low == machines.end() || (*low).*constant == (*high).*constant) return std::nullopt;
-  ThresholdEffect effect{name, (*low).*constant, (*high).*constant, HUGE_VAL, 0, 0};
-  for (const PaperMachine& from : machines) {
-    if (from.*constant != effect.from || !from.quiet_up_to) continue;
-    for (const PaperMachine& to : machines) {
-      if (to.*constant != effect.to || !to.quiet_up_to) continue;
-      if (!alike_except(from, to, constant)) continue;
-      const double ratio = *to.quiet_up_to / *from.quiet_up_to;
-      effect.least = std::min(effect.least, ratio);
-      effect.most = std::max(effect.most, ratio);
-      ++effect.pairs;
-    }
-  }
-  return effect.pairs > 0 ? std::optional(effect) : std::nullopt;
-}
 
 /// A column of the chart for each machine, between two speeds.
 report::Area columns(const PaperMachines& all, std::string label, std::optional<double> shade,
@@ -75,26 +29,9 @@ report::Area columns(const PaperMachines& all, std::string label, std::optional<
   return area;
 }
 
-/// "1.5 to 1.9", or one number if both are shown alike.
-std::string extent_of(double least, double most, const char* form) {
-  const std::string first = fmt::format(fmt::runtime(form), least);
-  const std::string last = fmt::format(fmt::runtime(form), most);
-  return first == last ? first : first + " to " + last;
-}
-
-constexpr double as_a_factor = 1.25;  ///< from here on a ratio is told as a factor
-
-/// What the effect does to the threshold: "divides it by 3.4 to 4.5", "lowers it by 0.1 to 12 %".
-std::string done_by(const ThresholdEffect& effect) {
-  const double least = effect.least, most = effect.most;
-  const auto percent = [](double ratio) { return 100 * std::abs(ratio - 1); };
-  if (least >= as_a_factor) return "multiplies it by " + extent_of(least, most, "{:.1f}");
-  if (most <= 1 / as_a_factor) return "divides it by " + extent_of(1 / most, 1 / least, "{:.1f}");
-  if (most <= 1)
-    return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.1f}"));
-  if (least >= 1)
-    return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.1f}"));
-  return fmt::format("changes it by -{:.1f} to +{:.1f} %", percent(least), percent(most));
+std::optional<double> number_of(const report::Results& results, const char* name) {
+  const Value* value = results.value(name);
+  return value == nullptr ? std::nullopt : number_in(*value);
 }
 
 }  // namespace
@@ -102,16 +39,27 @@ std::string done_by(const ThresholdEffect& effect) {
 std::optional<PaperMachines> paper_machines(const std::vector<FoundReport>& reports) {
   for (const FoundReport& report : reports) {
     if (report.kind.name != "reproduction" || !report.headline) continue;
-    if (!report.data.contains("cases") || !report.data.contains("interpretation")) continue;
-    const auto agreement = report.data.at("agreement").get<Agreement>();
-    PaperMachines all{report.folder,
-                      {},
-                      agreement.error,
-                      agreement.thresholds,
-                      report.data.at("interpretation").get<Fit>().fitted};
-    for (const auto& [id, one] : report.data.at("cases").items()) {
-      all.machines.push_back(one.get<PaperMachine>());
+    const report::Results results = report::results_of(report.data);
+    const ricochet::Table* cases = results.table("thresholds");
+    if (cases == nullptr) continue;
+    PaperMachines all{report.folder, {}, number_of(results, "error").value_or(0), 0, {}, "", {}};
+    all.compared = static_cast<std::int64_t>(number_of(results, "compared").value_or(0));
+    if (const auto fitted = number_of(results, "fitted"))
+      all.fitted = static_cast<std::int64_t>(*fitted);
+    for (const char* name : {"moves", "from_end_to_end"}) {
+      const Value* text = results.value(name);
+      if (text != nullptr && !is_missing(*text))
+        all.moves += (all.moves.empty() ? "" : " ") + ricochet::text_of(*text);
     }
+    for (const char* name : {"threshold-over-counting-limit", "threshold-over-clearance",
+                             "threshold-over-restitution"}) {
+      if (const report::Chart* chart = results.chart(name)) all.charts.push_back(*chart);
+    }
+    each_row(*cases, [&](const Row& row) {
+      all.machines.push_back({row.text("case"), row.number("restitution"), row.number("friction"),
+                              row.number("disturbance"), row.number_if("silent_up_to"),
+                              row.number_if("quiet_up_to"), row.number_if("paper_threshold")});
+    });
     std::ranges::stable_sort(all.machines, [](const PaperMachine& a, const PaperMachine& b) {
       return std::tuple(a.restitution, -a.friction, a.disturbance) <
              std::tuple(b.restitution, -b.friction, b.disturbance);
@@ -119,14 +67,6 @@ std::optional<PaperMachines> paper_machines(const std::vector<FoundReport>& repo
     return all;
   }
   return std::nullopt;
-}
-
-std::vector<ThresholdEffect> threshold_effects(const std::vector<PaperMachine>& machines) {
-  std::vector<ThresholdEffect> effects;
-  for (const auto& [name, constant] : constants) {
-    if (const auto effect = effect_of(machines, name, constant)) effects.push_back(*effect);
-  }
-  return effects;
 }
 
 std::optional<std::pair<double, double>> quiet_range(const std::vector<PaperMachine>& machines) {
@@ -180,7 +120,6 @@ report::Chart regimes_chart(const PaperMachines& all) {
 std::string speed_sentence(const PaperMachines& all) {
   const auto range = quiet_range(all.machines);
   if (!range) return "No machine of the paper is quiet at any speed.";
-  constexpr double rpm = 30 / std::numbers::pi;
   return fmt::format(
       "The paper's {} machines stay quiet up to {:.1f} to {:.1f} rad/s ({:.0f} to {:.0f} rpm): at "
       "most two collisions a turn, one with each wall.",
@@ -188,13 +127,7 @@ std::string speed_sentence(const PaperMachines& all) {
 }
 
 std::string effects_sentence(const PaperMachines& all) {
-  std::string text;
-  for (const ThresholdEffect& effect : threshold_effects(all.machines)) {
-    text += fmt::format("{}{} from {} to {}{} {}", text.empty() ? "" : "; ", effect.constant,
-                        effect.from, effect.to, effect.constant == "disturbance" ? " N" : "",
-                        done_by(effect));
-  }
-  return text.empty() ? text : "The threshold: " + text + ".";
+  return all.moves;
 }
 
 std::string groups_sentence(const PaperMachines& all) {

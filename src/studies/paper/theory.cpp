@@ -309,18 +309,6 @@ std::optional<double> sustained_bouncing_speed(const Scene& scene) {
   return std::sqrt(limit->force / *drive_of(scene));
 }
 
-std::optional<double> sustained_bouncing_height(const Scene& scene) {
-  const auto limit = sustained_bouncing(scene);
-  if (!limit) return std::nullopt;
-  return limit->height / limit->force * *drive_of(scene) / scene.mass;
-}
-
-std::optional<double> lift_off_speed(const Scene& scene) {
-  const auto drive = drive_of(scene);
-  if (!drive) return std::nullopt;
-  return std::sqrt((scene.pull + friction_force(scene)) / *drive);
-}
-
 TheoreticalMotion on_arc(double radius, double omega) {
   return {radius * omega, radius * omega * omega};
 }

@@ -85,7 +85,8 @@ std::optional<FormulaFit> fitted(const Formula& formula, const std::vector<Thres
 //
 // Assumptions: friction smaller than the pull, no halt on the way up or down, and a flight that
 // stays below the other wall. Below the limit a body comes to rest if the drive cannot lift it
-// (lift_off_speed); otherwise it is thrown again every turn, with halts on the wall or in the air.
+// (pull and friction); otherwise it is thrown again every turn, with halts on the wall or in the
+// air.
 
 /// The motion at its limit. `omega` [rad/s] is the speed at which the drive turns.
 struct SustainedBouncing {
@@ -110,14 +111,6 @@ std::optional<SustainedBouncing> sustained_bouncing(const Scene& scene);
 /// The speed [rad/s] from which the scene's drive sustains bouncing, without an upper wall. Nothing
 /// if sustained_bouncing returns nothing or if there is no drive.
 std::optional<double> sustained_bouncing_speed(const Scene& scene);
-
-/// Height [m] to which the body rises at that speed.
-std::optional<double> sustained_bouncing_height(const Scene& scene);
-
-/// The speed [rad/s] from which the drive lifts a body that rests on the lower wall: its amplitude
-/// is pull + friction_force. Nothing if pull or centrifugal force are not as above, if the pull is
-/// not > 0, or if there is no drive.
-std::optional<double> lift_off_speed(const Scene& scene);
 
 /// Speed and acceleration prescribed by the track, equations (1)-(5), Figure 3.
 struct TheoreticalMotion {

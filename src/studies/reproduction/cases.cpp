@@ -37,6 +37,7 @@ Table threshold_table(const std::vector<CaseStudy>& cases) {
                {"disturbance", "disturbance [N]"},
                {"silent_up_to", "silent up to [rad/s]", ".3f", threshold_digits},
                {"quiet_up_to", "quiet up to [rad/s]", ".3f", threshold_digits},
+               {"loud_from", "every turn has more from [rad/s]", ".3f", threshold_digits},
                {"paper_threshold", "paper's threshold [rad/s]"},
                {"quiet_error", "difference [%]", "+.0%"},
                {"threshold", "threshold by the paper's rule [rad/s]", ".3f", threshold_digits},
@@ -44,8 +45,9 @@ Table threshold_table(const std::vector<CaseStudy>& cases) {
   for (const CaseStudy& c : cases) {
     const Case& it = c.the_case;
     table.add(it.id, it.restitution, it.friction, it.disturbance, c.borders.silent, c.borders.quiet,
-              it.claim.threshold, relative_error(c.borders.quiet, it.claim.threshold),
-              c.score.threshold, relative_error(c.score.threshold, it.claim.threshold));
+              c.borders.loud_from, it.claim.threshold,
+              relative_error(c.borders.quiet, it.claim.threshold), c.score.threshold,
+              relative_error(c.score.threshold, it.claim.threshold));
   }
   return table;
 }
@@ -92,17 +94,19 @@ std::string told_examples(const std::vector<CaseStudy>& cases, const Agreement& 
       agreement.examples, agreement.right, wrong, wrong.empty() ? "" : ".");
 }
 
-/// The root mean square of ln(end of two a turn / paper's threshold), as a share.
-std::optional<double> long_run_error(const std::vector<CaseStudy>& cases) {
+/// The root mean square of ln(border / paper's threshold).
+std::optional<double> error_of(const std::vector<CaseStudy>& cases,
+                               std::optional<double> LongRunBorders::*border) {
   double squares = 0;
   int thresholds = 0;
   for (const CaseStudy& c : cases) {
-    if (!c.borders.quiet || !c.the_case.claim.threshold) continue;
-    squares += std::pow(std::log(*c.borders.quiet / *c.the_case.claim.threshold), 2);
+    const std::optional<double>& speed = c.borders.*border;
+    if (!speed || !c.the_case.claim.threshold) continue;
+    squares += std::pow(std::log(*speed / *c.the_case.claim.threshold), 2);
     ++thresholds;
   }
   if (thresholds == 0) return {};
-  return std::expm1(std::sqrt(squares / thresholds));
+  return std::sqrt(squares / thresholds);
 }
 
 }  // namespace
@@ -115,7 +119,7 @@ std::vector<QuietCase> quiet_cases(const std::vector<CaseStudy>& cases) {
 
 void add_thresholds(const Findings& findings, Results& results) {
   const Agreement agreement = agreement_of(findings.cases);
-  const double error = std::expm1(agreement.relative_error);
+  const double error = agreement.relative_error;
   const std::size_t fitted = findings.interpretation.free.size();
   results.set(
       "finding",
@@ -127,7 +131,8 @@ void add_thresholds(const Findings& findings, Results& results) {
   results.set("error", error);
   results.set("compared", agreement.thresholds);
   results.set("fitted", fitted);
-  results.set("long_run_error", long_run_error(findings.cases));
+  results.set("quiet_error", error_of(findings.cases, &LongRunBorders::quiet));
+  results.set("loud_error", error_of(findings.cases, &LongRunBorders::loud_from));
   for (const CaseStudy& c : findings.cases) {
     results.set(c.the_case.id + ".threshold", c.score.threshold);
     results.set(c.the_case.id + ".quiet_up_to", c.borders.quiet);
@@ -243,7 +248,7 @@ std::optional<std::string> told_plateaus(const std::vector<CaseStudy>& cases) {
       "The paper says that one number of collisions holds at all speeds below. Here that number, "
       "or "
       "one more or less, holds at {:.0f} to {:.0f} % of them. {} of {} quiet counts are the "
-      "paper's{}. At most {:.1f} % of all speeds lie on the wrong side of a threshold.",
+      "paper's{}. At most {:.1g} % of all speeds lie on the wrong side of a threshold.",
       100 * *least, 100 * *most, same, claimed, others, 100 * misclassified);
 }
 

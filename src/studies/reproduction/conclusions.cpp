@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/core/progress.h"
-#include "src/studies/reproduction/data.h"
+#include "src/studies/reproduction/sections.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -96,53 +96,69 @@ std::vector<Trend> trends(const CountGrid& grid) {
 
 namespace {
 
-using report::Json;
-
-/// The mean counts at a disturbance, a row for each friction.
-Json means_at(const CountGrid& grid, std::size_t disturbance) {
-  Json rows = Json::array();
+/// The mean counts at a disturbance.
+report::Chart grid_chart(const CountGrid& grid, std::size_t disturbance, report::Range range) {
+  const auto ends = [&](std::size_t friction) {
+    return fmt::format("{:.2g} to {:.2g} at friction {}", grid.mean(0, friction, disturbance),
+                       grid.mean(grid.restitutions.size() - 1, friction, disturbance),
+                       grid.frictions[friction]);
+  };
+  report::Chart chart{
+      .name = fmt::format("grid-{}", disturbance + 1),
+      .title = fmt::format("Disturbance {} N: from restitution {} to {} the mean count goes from "
+                           "{}, from {}",
+                           grid.disturbances[disturbance], grid.restitutions.front(),
+                           grid.restitutions.back(), ends(0), ends(grid.frictions.size() - 1)),
+      .x = {.label = "restitution"},
+      .y = {.label = "friction"},
+      .heat_map = report::HeatMap{"mean count", {}, range}};
+  for (const double restitution : grid.restitutions)
+    chart.x.categories.push_back(fmt::format("{}", restitution));
   for (std::size_t f = 0; f < grid.frictions.size(); ++f) {
-    Json means = Json::array();
-    for (std::size_t r = 0; r < grid.restitutions.size(); ++r) {
-      means.push_back(grid.mean(r, f, disturbance));
-    }
-    rows.push_back({{"friction", grid.frictions[f]}, {"means", std::move(means)}});
+    chart.y.categories.push_back(fmt::format("{}", grid.frictions[f]));
+    auto& row = chart.heat_map->rows.emplace_back();
+    for (std::size_t r = 0; r < grid.restitutions.size(); ++r)
+      row.emplace_back(grid.mean(r, f, disturbance));
   }
-  return {{"number", disturbance + 1},
-          {"disturbance", grid.disturbances[disturbance]},
-          {"frictions", std::move(rows)}};
+  return chart;
 }
 
-/// With the first few exceptions; all pairs that disagree are exceptions.
-Json trend_data(const Trend& trend) {
-  constexpr std::size_t shown = 4;
-  std::vector<Reversal> first = trend.exceptions;
-  if (first.size() > shown) first.resize(shown);
-  return {{"conclusion", trend.conclusion},
-          {"claim", trend.claim},
-          {"agree", trend.agree},
-          {"disagree", trend.disagree},
-          {"changes", trend.agree + trend.disagree},
-          {"weakest", trend.weakest},
-          {"holds", trend.weakest > 1},
-          {"strongest", trend.strongest},
-          {"first_exceptions", std::move(first)},
-          {"further_exceptions", trend.exceptions.size() > shown}};
+/// Where a conclusion fails, and where it holds everywhere.
+std::string told(const Trend& trend) {
+  const int changes = trend.agree + trend.disagree;
+  if (trend.disagree == 0)
+    return fmt::format("({}) holds between all {} neighbours that differ.", trend.conclusion,
+                       changes);
+  const Reversal& first = trend.exceptions.front();
+  return fmt::format(
+      "({}) fails between {} of {}, such as {}, from {} to {}: {:.2f} to {:.2f}; from end to end "
+      "the count rises by {:.0f} % at most.",
+      trend.conclusion, trend.disagree, changes, first.line, first.from, first.to, first.mean_from,
+      first.mean_to, 100 * (trend.strongest - 1));
 }
 
 }  // namespace
 
-Json conclusion_data(const CountGrid& grid, const std::vector<Trend>& trends) {
-  const auto [least, most] = std::minmax_element(grid.means.begin(), grid.means.end());
-  Json data = {{"trends", report::list_of(trends, trend_data)},
-               {"restitutions", grid.restitutions},
-               {"least", *least},
-               {"most", *most},
-               {"grid", Json::array()}};
-  for (std::size_t d = 0; d < grid.disturbances.size(); ++d) {
-    data["grid"].push_back(means_at(grid, d));
+void add_conclusions(const CountGrid& grid, const std::vector<Trend>& trends,
+                     report::Results& results) {
+  Table table{"conclusions",
+              {{"conclusion"},
+               {"claim", "the count"},
+               {"agree", "neighbours as claimed"},
+               {"disagree", "against"},
+               {"weakest", "end to end, least (times)", ".2f"},
+               {"strongest", "most (times)", ".2f"}}};
+  std::string text;
+  for (const Trend& trend : trends) {
+    table.add(trend.conclusion, trend.claim, trend.agree, trend.disagree, trend.weakest,
+              trend.strongest);
+    text += (text.empty() ? "" : " ") + told(trend);
   }
-  return data;
+  results.set("conclusions", text);
+  results.add(std::move(table));
+  const auto [least, most] = std::ranges::minmax(grid.means);
+  for (std::size_t d = 0; d < grid.disturbances.size(); ++d)
+    results.add(grid_chart(grid, d, {least, most}));
 }
 
 }  // namespace ricochet::studies::reproduction

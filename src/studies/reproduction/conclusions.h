@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ricochet/scene.h"
-#include "src/report/json.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -28,7 +27,6 @@ struct Reversal {
   double from, to;            ///< restitution, friction or disturbance [N]
   double mean_from, mean_to;  ///< the mean counts there
 };
-RICOCHET_FIELDS(Reversal, line, from, to, mean_from, mean_to);
 
 /// How often neighbours on the grid change as a conclusion says, and the change from end to end.
 struct Trend {

@@ -359,7 +359,7 @@ std::string from_end_to_end(const Levers& levers, const std::vector<QuietCase>& 
       " mm");
   add("friction", effect_of(&Case::friction, cases), 1, "");
   add("disturbance", effect_of(&Case::disturbance, cases), 1, " N");
-  return text.empty() ? "" : " From end to end, in the paper's cases: " + text + ".";
+  return text.empty() ? text : "From end to end, in the paper's cases: " + text + ".";
 }
 
 }  // namespace
@@ -368,12 +368,11 @@ void add_levers(const Findings& findings, report::Results& results) {
   const Levers& levers = findings.levers;
   const Scene& scene = findings.interpretation.scene;
   const double clearance = scene.wall_upper - scene.wall_lower;
-  std::optional<std::string> moves = exponents_of_first(levers);
-  if (moves) {
-    *moves += over_limit(levers, scene.counting_limit) +
-              from_end_to_end(levers, quiet_cases(findings.cases), clearance);
-  }
-  results.set("moves", moves);
+  const auto moves = exponents_of_first(levers);
+  const std::string ends = from_end_to_end(levers, quiet_cases(findings.cases), clearance);
+  results.set("moves", moves ? std::optional(*moves + over_limit(levers, scene.counting_limit))
+                             : std::nullopt);
+  results.set("from_end_to_end", ends.empty() ? std::nullopt : std::optional(ends));
   results.add(exponents_table(levers, findings.interpretation));
   results.add(restitution_chart(levers, findings.cases));
   const auto by_limit = effect_of(levers.over_counting_limit, low_limit, high_limit);

@@ -68,13 +68,18 @@ Chart count_chart(const CaseStudy& c) {
   return chart;
 }
 
-/// x(t) with the impacts that count, reduced to the corners that can be seen.
+/// x(t) with the impacts that count, reduced to the corners that can be seen. Impacts of the start
+/// are those in the first tenth of a turn.
 Chart motion_chart(const CaseStudy& c, double omega, const std::string& where, std::string name,
                    const Recording& recording) {
   const Scene scene = at_speed(c.scene, omega);
+  const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
+  const auto start =
+      std::ranges::count_if(counted_features(scene, recording),
+                            [&](const Feature& impact) { return impact.time < end_of_start; });
   Chart chart = path_chart(scene, recording, std::move(name),
-                           fmt::format("{} at {:.4g} rad/s, {}: {} impacts count", c.the_case.id,
-                                       omega, where, recording.count));
+                           fmt::format("{} at {:.4g} rad/s, {}: {} impacts count, {} of the start",
+                                       c.the_case.id, omega, where, recording.count, start));
   auto& path = chart.series.front();
   path.label = "";
   const double across = path.samples.back().position * of_a_pixel;
@@ -82,19 +87,6 @@ Chart motion_chart(const CaseStudy& c, double omega, const std::string& where, s
   path.samples = shortened(report::simplified(path.samples, across, up));
   chart.series.back().samples = shortened(chart.series.back().samples);
   return chart;
-}
-
-/// How many of the counted impacts are of the start, and whether the count is certain.
-std::string caption_of(const CaseStudy& c, double omega, const Recording& recording) {
-  const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
-  const auto counted = counted_features(c.scene, recording);
-  const auto start = std::ranges::count_if(
-      counted, [&](const Feature& impact) { return impact.time < end_of_start; });
-  const auto later = static_cast<std::ptrdiff_t>(counted.size()) - start;
-  std::string text = fmt::format("{} in the first tenth of a turn, {} later.", start, later);
-  if (!recording.certainty.certain)
-    text += fmt::format(" The count is not certain: {}.", recording.certainty.reason);
-  return text;
 }
 
 report::Part part_of(const CaseStudy& c) {
@@ -108,7 +100,10 @@ report::Part part_of(const CaseStudy& c) {
   own.add(count_chart(c));
   const auto add = [&](double omega, const std::string& where, const char* name,
                        const Recording& recording) {
-    own.set(name, caption_of(c, omega, recording));
+    own.set(name,
+            recording.certainty.certain
+                ? std::nullopt
+                : std::optional("The count is not certain: " + recording.certainty.reason + "."));
     own.add(motion_chart(c, omega, where, name, recording));
   };
   if (c.paths) {

@@ -17,15 +17,13 @@
 #include "ricochet/solver.h"
 #include "src/core/progress.h"
 #include "src/experiment/planned_runs.h"
-#include "src/report/json.h"
-#include "src/studies/reproduction/data.h"
+#include "src/studies/reproduction/sections.h"
 
 namespace ricochet::studies::reproduction {
 
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
@@ -33,9 +31,17 @@ Recording path_at(Scene scene, double omega) {
 }
 
 LongRunBorders borders_of(const Scene& scene, double highest) {
-  if (!has_regimes(scene)) return {};
-  const RegimeOptions range{slowest_speed, highest};
-  return {quiet_up_to(scene, 0, range), quiet_up_to(scene, quiet_per_turn, range)};
+  LongRunBorders borders;
+  if (!has_regimes(scene)) return borders;
+  bool silent = true, quiet = true;
+  for (const Regime& regime : regimes_of(scene, {slowest_speed, highest})) {
+    silent = silent && regime.most_per_turn <= 0;
+    quiet = quiet && regime.most_per_turn <= quiet_per_turn;
+    if (silent) borders.silent = regime.to;
+    if (quiet) borders.quiet = regime.to;
+    if (regime.least_per_turn <= quiet_per_turn) borders.loud_from = regime.to;
+  }
+  return borders;
 }
 
 CaseStudy study_case(const Case& the_case, const Scene& interpretation,
@@ -84,65 +90,49 @@ StudyPlan quick_plan() {
           plan_from(embedded::reproduction_quick_plan, "reports/plans/reproduction_quick.toml")};
 }
 
-Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
-                   const ComparisonStore& store) {
-  Results results;
-  results.plan = plan;
-  results.interpretation = default_interpretation();
-  results.comparison = opened(plan.comparison, catalogue, store);
+Findings findings_of(const StudyPlan& plan, const Catalogue& catalogue,
+                     const ComparisonStore& store) {
+  Findings findings;
+  findings.plan = plan;
+  findings.interpretation = default_interpretation();
+  const Scene& scene = findings.interpretation.scene;
+  findings.comparison = opened(plan.comparison, catalogue, store);
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));
     for (const Case& c : cases) {
-      results.cases.push_back(study_case(c, results.interpretation.scene, plan.scan));
+      findings.cases.push_back(study_case(c, scene, plan.scan));
       progress.advance(1);
     }
   }
-  results.grid = count_grid(results.interpretation.scene, plan.grid_step, plan.coarse_grid);
-  results.trends = trends(results.grid);
-  results.maps = restitution_maps(results.cases);
-  results.curves = threshold_curves(all_cases(), results.interpretation.scene, plan.coarse_grid,
-                                    plan.scan.highest);
-  make_runs(results.comparison->campaign, {}, results.comparison->store);
-  return results;
+  findings.grid = count_grid(scene, plan.grid_step, plan.coarse_grid);
+  findings.trends = trends(findings.grid);
+  findings.maps = restitution_maps(findings.cases);
+  findings.levers =
+      levers_of(quiet_cases(findings.cases), scene, plan.coarse_grid, plan.scan.highest);
+  make_runs(findings.comparison->campaign, {}, findings.comparison->store);
+  return findings;
 }
 
-Json data_of(const Results& results) {
-  const Agreement agreement = agreement_of(results.cases);
-  const StudyPlan& plan = results.plan;
+report::Results results_of(const Findings& findings) {
+  report::Results results;
+  add_thresholds(findings, results);
+  add_levers(findings, results);
+  add_steps(findings.cases, results);
+  add_conclusions(findings.grid, findings.trends, results);
+  add_theory(findings.cases, results);
+  add_bounds(results);
+  add_solvers(findings.comparison, results);
+  add_interpretation(findings.interpretation, results);
+  add_pictures(findings, results);
+  const StudyPlan& plan = findings.plan;
   const PlanPart& compared = plan.comparison.parts.front();
-  Json solvers = Json::array();
-  if (results.comparison) {
-    solvers = report::list_of(results.comparison->campaign.solvers(), solver_data);
-  }
-  return {{"agreement",
-           {{"thresholds", agreement.thresholds},
-            {"error", std::expm1(agreement.relative_error)},
-            {"examples", agreement.examples},
-            {"right", agreement.right}}},
-          {"plan",
-           {{"step", plan.scan.step},
-            {"highest", plan.scan.highest},
-            {"grid_step", plan.grid_step},
-            {"instances", compared.instances},
-            {"least", compared.budgets.front()},
-            {"most", compared.budgets.back()}}},
-          {"cases", case_data(results.cases)},
-          {"speeds", speed_data(results.cases)},
-          {"thresholds", threshold_data(results.cases)},
-          {"theory", theory_data(results.cases)},
-          {"bounds", bound_data()},
-          {"counts", curve_data(results.cases)},
-          {"sharpness", sharpness_data(results.cases)},
-          {"steps", step_data(results.cases)},
-          {"regime_maps", regime_map_data(results.maps)},
-          {"restitution_curves", threshold_curve_data(results.curves)},
-          {"conclusions", conclusion_data(results.grid, results.trends)},
-          {"paths", path_data(results.cases)},
-          {"crossing", crossing_data()},
-          {"comparison", comparison_data(results.comparison)},
-          {"interpretation", interpretation_data(results.interpretation)},
-          {"solvers", std::move(solvers)}};
+  results.set("step", plan.scan.step);
+  results.set("highest", plan.scan.highest);
+  results.set("grid_step", plan.grid_step);
+  results.set("instances", compared.instances);
+  results.set("evaluations", compared.budgets.back());
+  return results;
 }
 
 Agreement agreement_of(const std::vector<CaseStudy>& cases) {
@@ -169,10 +159,11 @@ namespace ricochet::studies {
 
 Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance) {
   using namespace reproduction;
-  return {"reproduction", "A coarser study, in seconds", [=](bool quick) {
-            return data_of(results_of(quick ? quick_plan() : full_plan(), paper_catalogue(),
-                                      {folder / "comparison.sqlite", provenance}));
-          }};
+  return {
+      "reproduction", "A coarser study, in seconds", [=](bool quick) {
+        return json_of(results_of(findings_of(quick ? quick_plan() : full_plan(), paper_catalogue(),
+                                              {folder / "comparison.sqlite", provenance})));
+      }};
 }
 
 }  // namespace ricochet::studies

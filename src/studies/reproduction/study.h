@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -10,17 +9,14 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/regimes/regime_map.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
-#include "src/analysis/comparison/group.h"
 #include "src/experiment/stored_campaign.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 #include "src/report/site/study.h"
-#include "src/studies/machine/charts.h"
 #include "src/studies/paper/interpretation.h"
 #include "src/studies/reproduction/conclusions.h"
-#include "src/studies/reproduction/threshold_curves.h"
+#include "src/studies/reproduction/levers.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -49,8 +45,9 @@ struct FigurePaths {
 
 /// The borders of a case in the long run [rad/s]; nothing if it is louder at the slowest speed.
 struct LongRunBorders {
-  std::optional<double> silent;  ///< no turn has a collision up to this speed
-  std::optional<double> quiet;   ///< no turn has more than quiet_per_turn collisions
+  std::optional<double> silent;     ///< no turn has a collision up to this speed
+  std::optional<double> quiet;      ///< no turn has more than quiet_per_turn collisions
+  std::optional<double> loud_from;  ///< every turn has more from this speed on
 };
 
 /// A case of the paper, computed.
@@ -64,33 +61,16 @@ struct CaseStudy {
   std::optional<FigurePaths> paths;  ///< if the paper has a figure
 };
 
-/// Up to which speed [rad/s] a case is quiet in the long run.
-struct QuietCase {
-  std::string id;
-  std::optional<double> quiet;
-};
-RICOCHET_FIELDS(QuietCase, id, quiet);
-
-/// The regimes of cases that differ in their restitution alone.
-struct RestitutionMap {
-  double friction;
-  std::vector<QuietCase> cases;
-  carrier_track::RegimeMap map;
-  advice::MapMarks marks;  ///< the paper's thresholds
-};
-
-/// The maps of the cases without disturbance, by rising friction.
-std::vector<RestitutionMap> restitution_maps(const std::vector<CaseStudy>& cases);
-
-/// The contents of the report.
-struct Results {
+/// What the report is made of.
+struct Findings {
   StudyPlan plan;
   carrier_track::FittedInterpretation interpretation;
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;
-  std::vector<RestitutionMap> maps;
-  std::vector<ThresholdCurve> curves;
+  /// The regimes over the restitution of the cases without disturbance, by rising friction.
+  std::vector<report::Chart> maps;
+  Levers levers;
   std::optional<StoredCampaign> comparison;  ///< of solvers, if it has been run
 };
 
@@ -102,10 +82,11 @@ struct ComparisonStore {
 
 /// Computes everything; for the comparison only the runs missing in its store. A store of another
 /// plan, program or data is replaced. The results depend only on the plan, except for the times.
-Results results_of(const StudyPlan& plan, const Catalogue& catalogue, const ComparisonStore& store);
+Findings findings_of(const StudyPlan& plan, const Catalogue& catalogue,
+                     const ComparisonStore& store);
 
-/// Returns the data for reports/templates/reproduction.toml.
-report::Json data_of(const Results& results);
+/// What the page reproduction.md is filled with.
+report::Results results_of(const Findings& findings);
 
 /// Agreement of the results with the paper over all cases.
 struct Agreement {

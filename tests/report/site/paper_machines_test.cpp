@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "src/report/results.h"
 #include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {
@@ -17,47 +18,44 @@ PaperMachines four_machines() {
            {"D", 0.1, 0.1, 0, 1.0, 8.0, 9.0}},
           0.06,
           10,
-          5};
+          5,
+          "",
+          {}};
 }
 
 TEST(PaperMachines, AreReadFromTheReportOfThePapersCases) {
-  const Json one = {{"id", "C1"},          {"restitution", 0.1},  {"friction", 0.1},
-                    {"disturbance", 0},    {"silent_up_to", 1.5}, {"quiet_up_to", 8.0},
-                    {"paper_threshold", 9}};
-  const FoundReport report = made_up("reproduction",
-                                     {{"cases", {{"C1", one}}},
-                                      {"agreement", {{"thresholds", 10}, {"error", 0.06}}},
-                                      {"interpretation", {{"fitted", 5}}}},
-                                     "mine");
+  report::Results results;
+  ricochet::Table cases{"thresholds",
+                        {{"case"},
+                         {"restitution"},
+                         {"friction"},
+                         {"disturbance"},
+                         {"silent_up_to"},
+                         {"quiet_up_to"},
+                         {"paper_threshold"}}};
+  cases.add("C2", 0.9, 0.1, 0, std::nullopt, 2.0, std::nullopt);
+  cases.add("C1", 0.1, 0.1, 0, 1.5, 8.0, 9);
+  results.add(cases);
+  results.set("compared", 10);
+  results.set("error", 0.06);
+  results.set("fitted", 5);
+  results.set("moves", "All moves it.");
+  results.set("from_end_to_end", std::optional<std::string>());
+  results.add(report::Chart{.name = "threshold-over-restitution", .title = "", .x = {}, .y = {}});
+  const FoundReport report = made_up("reproduction", json_of(results), "mine");
   const auto all = paper_machines({report});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->folder, "mine");
   EXPECT_EQ(all->machines.at(0).quiet_up_to, 8.0);
+  EXPECT_EQ(all->machines.at(0).paper_threshold, 9.0);
+  EXPECT_FALSE(all->machines.at(1).silent_up_to);
+  EXPECT_EQ(effects_sentence(*all), "All moves it.");
+  EXPECT_EQ(all->charts.size(), 1U);
   EXPECT_EQ(
       agreement_sentence(*all),
       "By the paper's own rule 10 thresholds are 6 % from the paper's (root-mean-square error "
       "in log speed), after fitting 5 parameters to the same thresholds.");
   EXPECT_FALSE(paper_machines({}));
-}
-
-TEST(ThresholdEffects, AreFromPairsThatDifferInOneConstant) {
-  const auto effects = threshold_effects(four_machines().machines);
-  ASSERT_EQ(effects.size(), 3U);
-  EXPECT_EQ(effects[0].constant, "restitution");
-  EXPECT_DOUBLE_EQ(effects[0].most, 4.0 / 12);
-  EXPECT_EQ(effects[0].pairs, 1U);
-  EXPECT_DOUBLE_EQ(effects[1].least, 1.5);
-  EXPECT_DOUBLE_EQ(effects[2].least, 0.95);
-  EXPECT_EQ(
-      effects_sentence(four_machines()),
-      "The threshold: restitution from 0.1 to 0.9 divides it by 3.0; friction from 0.1 to 0.4 "
-      "multiplies it by 1.5; disturbance from 0 to 1 N lowers it by 5.0 %.");
-}
-
-TEST(ThresholdEffects, OfBothSignsAreToldWithTheirSigns) {
-  PaperMachines machines = four_machines();
-  machines.machines.push_back({"E", 0.1, 0.1, 1, 1.0, 8.8, std::nullopt});
-  EXPECT_THAT(effects_sentence(machines), HasSubstr("changes it by -5.0 to +10.0 %"));
 }
 
 TEST(RegimesChart, HasAColumnForEachMachineAndThePapersThresholds) {

@@ -1,10 +1,11 @@
 #include "src/studies/reproduction/conclusions.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "src/studies/reproduction/sections.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 
 namespace ricochet::studies::reproduction {
@@ -53,6 +54,22 @@ TEST(Conclusions, NameWhereTheyFail) {
   expect_reversal(found[1], "restitution 0.9", 0.4, 0.1, 30, 2);
   EXPECT_EQ(found[2].disagree, 1);
   expect_reversal(found[2], "restitution 0.1, friction 0.4", 0, 1, 3, 2);
+}
+
+TEST(Conclusions, AreToldWithWhereTheyFail) {
+  const CountGrid grid = hand_made({4, 2, 3, 30, 8, 60, 2, 45});
+  report::Results results;
+  add_conclusions(grid, trends(grid), results);
+  const std::string told = text_of(*results.value("conclusions"));
+  EXPECT_THAT(told,
+              testing::HasSubstr("(A) fails between 1 of 2, such as friction 0.1, from 0.1 to "
+                                 "0.9: 4.00 to 2.00;"));
+  const Table& table = *results.table("conclusions");
+  EXPECT_EQ(table[2].number("agree"), 3);
+  EXPECT_EQ(table[2].number("disagree"), 1);
+  const report::Chart& map = *results.chart("grid-2");
+  EXPECT_EQ(map.heat_map->rows[1][0], 2) << "friction 0.4, restitution 0.1, disturbance 1 N";
+  report::check(map);
 }
 
 TEST(Conclusions, CountNoChangeForNeitherSide) {

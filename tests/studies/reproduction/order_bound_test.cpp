@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ricochet/random.h"
-#include "src/studies/reproduction/data.h"
-#include "src/studies/reproduction/theory_data.h"
+#include "src/studies/reproduction/sections.h"
+#include "src/studies/reproduction/theory.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -153,15 +153,17 @@ TEST(ProportionalBound, IsThatOfAllConcaveThresholds) {
 }
 
 TEST(OrderBound, IsShownWithWhatItRestsOn) {
-  const report::Json data = bound_data();
-  ASSERT_EQ(data["rows"].size(), 3U);
+  report::Results results;
+  add_bounds(results);
+  const Table& bounds = *results.table("bounds");
+  ASSERT_EQ(bounds.rows.size(), 3U);
   // C10 is above C6, and C5 as far below the chord from C1 to C9, of which half is each one's
   // share.
-  EXPECT_NEAR(data["rows"][0]["largest"].get<double>(), std::log(2 / 1.9) / 2, 1e-12);
+  EXPECT_NEAR(bounds[0].number("largest"), std::log(2 / 1.9) / 2, 1e-12);
   const double below = 0.9 * std::log(9.0) + 0.1 * std::log(7.3) - std::log(8.0);
-  EXPECT_NEAR(data["rows"][1]["largest"].get<double>(), below / 2, 1e-12);
-  EXPECT_EQ(data["steepest"]["first"], "C1");
-  EXPECT_NEAR(data["steepest"]["first_share"].get<double>(), std::log(9.0 / 8) / std::log(9 / 7.3),
+  EXPECT_NEAR(bounds[1].number("largest"), below / 2, 1e-12);
+  EXPECT_EQ(*results.value("steepest.case"), value_of("C1"));
+  EXPECT_NEAR(*number_in(*results.value("steepest.share")), std::log(9.0 / 8) / std::log(9 / 7.3),
               1e-12);
 }
 

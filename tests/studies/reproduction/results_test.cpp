@@ -207,7 +207,7 @@ TEST(ReproductionResults, HaveAPictureOfEveryFigure) {
   const Chart& quiet = *parts[0].results.chart("quiet");
   EXPECT_EQ(quiet.series[1].samples.size(),
             static_cast<std::size_t>(tiny_findings().cases[0].paths->quiet.count));
-  EXPECT_THAT(text_of(*parts[0].results.value("quiet")), HasSubstr("2 in the first tenth"));
+  EXPECT_THAT(quiet.title, HasSubstr("5 impacts count, 2 of the start"));
 }
 
 TEST(ReproductionResults, MapTheRegimesOfBothFrictions) {

@@ -13,6 +13,7 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "src/core/progress.h"
@@ -122,7 +123,11 @@ Scene scene_with(const Case& the_case, double direction, double stiffness) {
   Scene scene = scene_of(the_case, default_machine());
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = stiffness;
-  scene.contact_friction = false;  // y has a contact friction of its own
+  // The planar level has no contact_friction. Along x it takes a share of the restitution: taken
+  // here, all levels are of the same machine.
+  scene.restitution_lower = lower_restitution(scene);
+  scene.restitution_upper = upper_restitution(scene);
+  scene.contact_friction = false;
   scene.across = Across<double>{direction * scene.pull,
                                 scene.wall_lower,
                                 scene.wall_upper,

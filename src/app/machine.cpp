@@ -71,7 +71,7 @@ int advise_machine(const AdviseOptions& options) {
   };
   const studies::Finished finished = studies::run(study, false, options.out);
   tell(finished);
-  const report::Json& missing = finished.data["missing"];
+  const report::Json& missing = finished.data["values"]["missing"];
   return missing.is_null() ? 0 : report_incomplete(asked.seconds, missing);
 }
 

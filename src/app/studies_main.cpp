@@ -194,7 +194,7 @@ void add_best_values(CommandLine& line) {
       ->excludes("--problems", "--seconds", "--budget");
   command
       ->add_option("--hard-machines", options->hard_machines,
-                   "Instead: search machines whose fastest quiet speed is hard to find, and write "
+                   "Instead: search machines whose top speed in the window is hard to find, and write "
                    "this file")
       ->type_name("FILE")
       ->excludes("--problems", "--seconds", "--budget", "--from", "--out");

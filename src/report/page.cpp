@@ -42,20 +42,6 @@ constexpr int wide_chart = 560;  // pixels
 /// Maximum number of choices of a section: reports/templates/look.css has rules for this many.
 constexpr std::size_t most_choices = 24;
 
-void check(const Explorer& explorer) {
-  std::size_t combinations = 1;
-  for (const Setting& setting : explorer.settings) {
-    combinations *= setting.values.size();
-    if (setting.own >= setting.values.size())
-      throw std::invalid_argument(fmt::format("explorer \"{}\": {} has no value number {}",
-                                              explorer.caption, setting.label, setting.own));
-  }
-  if (explorer.answers.size() != combinations)
-    throw std::invalid_argument(fmt::format("explorer \"{}\": {} answers for {} combinations",
-                                            explorer.caption, explorer.answers.size(),
-                                            combinations));
-}
-
 void check(const Page& page) {
   std::set<std::string> ids, names;
   for (const Section& section : page.sections) {
@@ -72,7 +58,6 @@ void check(const Page& page) {
                                                 table.caption, row.size(), table.columns.size()));
       }
     }
-    if (section.explorer) check(*section.explorer);
     std::set<std::string> choices;
     for (const Figure& figure : section.figures) choices.insert(figure.choice);
     if (choices.size() > most_choices + choices.count(""))
@@ -204,20 +189,6 @@ Json list_under(const char* key, Named named) {
   return list;
 }
 
-Json data_of(const Explorer& explorer, const TextWriters& writing) {
-  Json settings = Json::array(), values = Json::array();
-  for (const Setting& setting : explorer.settings) {
-    settings.push_back({{"label", writing.plain(setting.label)},
-                        {"own", setting.own},
-                        {"last", setting.values.size() - 1},
-                        {"value", writing.plain(setting.values[setting.own])}});
-    values.push_back(setting.values);
-  }
-  return {{"caption", writing.linked(explorer.caption)},
-          {"settings", std::move(settings)},
-          {"data", json_in_script(Json{{"values", values}, {"answers", explorer.answers}}.dump())}};
-}
-
 /// The form of a view of runs, with its data.
 Json view_html(const Json& view) {
   if (view.is_null()) return nullptr;
@@ -258,7 +229,6 @@ Json data_of(const Section& section, const DrawnCharts& charts, const TextWriter
   data["has_choices"] = !choices.empty();
   data["choices"] = list_under("choice", std::move(choices));
   data["folds"] = list_under("fold", std::move(folds));
-  data["explorer"] = section.explorer ? data_of(*section.explorer, writing) : Json();
   data["view"] = view_html(section.view);
   return data;
 }
@@ -277,8 +247,7 @@ bool has_cell_links(const Page& page) {
 /// Returns true if something on the page moves and so needs a script.
 bool needs_script(const Page& page) {
   return has_view(page) || std::ranges::any_of(page.sections, [](const Section& section) {
-           return section.explorer.has_value() ||
-                  std::ranges::any_of(section.figures,
+           return std::ranges::any_of(section.figures,
                                       [](const Figure& figure) { return !figure.frame.empty(); });
          });
 }

@@ -66,30 +66,14 @@ struct Figure {
   CellLinks links = {};  ///< of a heat map; they need a script
 };
 
-/// A setting with several values that the reader can select.
-struct Setting {
-  std::string label;                ///< with its unit
-  std::vector<std::string> values;  ///< by rising value
-  std::size_t own;                  ///< index of the initial value
-};
-
-/// An answer for each combination of settings; a script shows one of them. Important facts must
-/// also be in tables and figures.
-struct Explorer {
-  std::string caption;
-  std::vector<Setting> settings;
-  std::vector<std::string> answers;  ///< the last setting changes first
-};
-
-/// A heading and its contents: paragraphs, code, explorer, figures, tables, notes. Text is plain;
+/// A heading and its contents: paragraphs, code, figures, tables, notes. Text is plain;
 /// https:// addresses become links.
 struct Section {
   std::string id;  ///< the address of the section within the page; unique, without spaces
   std::string heading;
   std::vector<std::string> paragraphs = {};
   std::vector<Table> tables = {};
-  std::vector<Figure> figures = {};  ///< narrow ones stand side by side
-  std::optional<Explorer> explorer = {};
+  std::vector<Figure> figures = {};     ///< narrow ones stand side by side
   std::vector<std::string> code = {};   ///< shown as it is, after the paragraphs: commands
   std::vector<std::string> notes = {};  ///< paragraphs on how it was computed, folded on a screen
   /// Data of runs that a script filters, see reports/templates/view.js. Null: there is no view.

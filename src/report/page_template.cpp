@@ -67,22 +67,6 @@ std::string csv_of(const Json& rows) {
   return text;
 }
 
-Explorer explorer_of(const TemplatePart& part, const Scopes& scopes) {
-  Explorer explorer{filled(part.text("caption"), scopes), {}, {}};
-  for (const Json& row : found_in(scopes, part.text("settings"))) {
-    const Scopes place = with(scopes, row);
-    Setting setting{filled(part.text("setting"), place), {}, found_in(place, "own")};
-    for (const Json& value : found_in(place, part.text("values"))) {
-      setting.values.push_back(filled(part.text("value"), with(place, value)));
-    }
-    explorer.settings.push_back(std::move(setting));
-  }
-  for (const Json& row : found_in(scopes, part.text("answers"))) {
-    explorer.answers.push_back(filled(part.text("answer"), with(scopes, row)));
-  }
-  return explorer;
-}
-
 Figure figure_of(const TemplatePart& chart, const Scopes& scopes, Mismatch mismatch) {
   try {
     Figure figure{chart_of(chart, scopes), chart.filled_text("caption", scopes),
@@ -103,7 +87,6 @@ Section section_of(const TemplatePart& part, const Scopes& scopes, Mismatch mism
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
   section.notes = paragraphs_of(part, "notes", scopes);
-  if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
   if (part.has("view")) section.view = found_in(scopes, part.text("view"));
   for (const TemplatePart& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {

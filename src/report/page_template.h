@@ -79,7 +79,6 @@ struct DrawnPage {
 ///     view                    name of the runs that a reader filters, see
 ///     reports/templates/view.js
 ///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
-///   [section.explorer]        caption, settings, setting, values, value, answers, answer
 ///     a column                title, value, align = "left" (default right), state, link
 ///   [[section.chart]]         name, title, caption, x, y, series, lines, heat_map
 ///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
@@ -114,11 +113,6 @@ struct DrawnPage {
 /// `width` and `height` are pixels, and `row_height` is added for each category of y; `description`
 /// is for readers who cannot see the chart. The reader selects it by its `choice`, a slider by its
 /// `frame`, and a figure with a `fold` is folded away, see page.h.
-///
-/// In an explorer, `settings` names a list with an entry for each setting; its member `own` is the
-/// index of the initial value; `setting` is its label, `values` a list in it, `value` the text of
-/// each. `answers` names the list of answers, one for each combination, with the last setting
-/// changing first, and `answer` is the text of each.
 ///
 /// Any section, paragraph {text = "..."}, table, column, chart, series and line can have `when`, a
 /// condition like `where`; `each`, the name of a list for whose entries it is repeated, with names

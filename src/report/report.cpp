@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "embedded/page_fireworks.h"
+#include "embedded/page_machine.h"
 #include "embedded/page_surrogate.h"
 #include "embedded/page_reproduction.h"
 #include "embedded/page_verification.h"
-#include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
 #include "embedded/page_comparison.h"
 #include "embedded/page_comparison_failures.h"
@@ -44,7 +44,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"comparison_failures", embedded::page_comparison_failures},
     {"comparison_solvers", embedded::page_comparison_solvers},
     {"comparison_view", embedded::page_comparison_view},
-    {"advice", embedded::template_advice},
+    {"advice", embedded::page_machine},
     {"dynamics", embedded::template_dynamics},
     {"surrogate", embedded::page_surrogate},
     {"problems", embedded::template_problems},

@@ -26,32 +26,6 @@ Json sample() {
           {"charts", {{{"id", "C1"}, {"rows", {{{"time", 1}, {"x", 2.5}}}}}}}};
 }
 
-TEST(PageTemplate, MakesAnExplorerOfSettingsAndAnswers) {
-  const Json data = {{"knobs", {{{"name", "e"}, {"own", 1}, {"at", {0.25, 0.5}}}}},
-                     {"found", {{{"quiet", 1.25}}, {{"quiet", nullptr}}}}};
-  const DrawnPage page = drawn(R"(
-title = "t"
-[[section]]
-id = "s"
-heading = "h"
-[section.explorer]
-caption = "All"
-settings = "knobs"
-setting = "the {{name}}"
-values = "at"
-value = "{{.:.1f}}"
-answers = "found"
-answer = "{{quiet:.2f}} rad/s"
-)",
-                               data);
-  const auto& explorer = page.page.sections.at(0).explorer;
-  ASSERT_TRUE(explorer);
-  EXPECT_EQ(explorer->settings.at(0).label, "the e");
-  EXPECT_EQ(explorer->settings.at(0).own, 1U);
-  EXPECT_THAT(explorer->settings.at(0).values, ElementsAre("0.2", "0.5"));
-  EXPECT_THAT(explorer->answers, ElementsAre("1.25 rad/s", "– rad/s"));
-}
-
 constexpr const char* sheet = R"(
 title = "{{total}} cases"
 intro = ["First.", "{{#absent}}never{{/absent}}"]

@@ -257,24 +257,8 @@ TEST_F(PageFiles, FoldAwayWhatHasAFold) {
   ASSERT_NE(fold, std::string::npos);
   EXPECT_LT(html.find("shown-title"), fold);
   EXPECT_GT(html.find("folded-title"), fold);
-  EXPECT_THAT(html, Not(HasSubstr("explorer.querySelector")));
+  EXPECT_THAT(html, Not(HasSubstr("frames.querySelector")));
   EXPECT_THAT(read(root_ / "summary.md"), HasSubstr("(folded.svg)"));
-}
-
-TEST_F(PageFiles, HaveAnAnswerForEveryCombinationOfSettings) {
-  Page page = page_with({});
-  page.sections[0].explorer =
-      Explorer{"Two", {{"friction", {"0", "1"}, 1}, {"clearance", {"a", "b", "</script>"}, 0}}, {}};
-  for (int i = 0; i < 5; ++i) page.sections[0].explorer->answers.push_back(std::to_string(i));
-  EXPECT_THROW(write_page(page, root_), std::invalid_argument);
-  page.sections[0].explorer->answers.push_back("5 <i>");
-  write_page(page, root_);
-  const std::string html = read(root_ / "index.html");
-  EXPECT_THAT(html, HasSubstr("min=\"0\" max=\"2\" value=\"0\""));
-  EXPECT_THAT(html, HasSubstr("\"answers\":[\"0\",\"1\",\"2\",\"3\",\"4\",\"5 \\u003ci>\"]"));
-  EXPECT_THAT(html, HasSubstr("\"values\":[[\"0\",\"1\"],[\"a\",\"b\",\"\\u003c/script>\"]]"));
-  page.sections[0].explorer->settings[0].own = 2;
-  EXPECT_THROW(write_page(page, root_), std::invalid_argument);
 }
 
 /// The style shows as many choices as it has rules for.

@@ -2,144 +2,163 @@
 
 #include <fmt/format.h>
 
-#include <string>
+#include <algorithm>
+#include <functional>
+#include <numbers>
 #include <utility>
 
-#include "src/report/text.h"
+#include "embedded/page_machines.h"
+#include "src/report/markdown_page.h"
 
 namespace ricochet::site {
 
 namespace {
 
-/// The paper's machines of a row of the grid, without disturbance and with it.
-std::string cases_of(const std::vector<PaperMachine>& machines, const std::string& row) {
-  std::string ids;
-  for (const PaperMachine& one : machines) {
-    if (row != row_label(one.friction, one.restitution)) continue;
-    ids += (ids.empty() ? "" : ", ") + one.id;
-  }
-  return ids;
+constexpr double shown_to = 14;  ///< [rad/s], at least, of the chart
+constexpr double half_column = 0.42;
+constexpr double rpm = 30 / std::numbers::pi;  ///< of 1 rad/s
+
+std::optional<std::pair<double, double>> quiet_range(const ricochet::Table& thresholds) {
+  std::optional<std::pair<double, double>> range;
+  each_row(thresholds, [&](const Row& row) {
+    const auto quiet = row.number_if("quiet_up_to");
+    if (!quiet) return;
+    if (!range) range = {*quiet, *quiet};
+    range->first = std::min(range->first, *quiet);
+    range->second = std::max(range->second, *quiet);
+  });
+  return range;
 }
 
-report::Table grid_table(const MachineGrid& grid, const std::vector<PaperMachine>& machines) {
-  report::Table table{
-      "Fastest quiet speed [rad/s] over restitution, friction and disturbance [N]: the "
-      "paper's values, and restitutions between.",
-      {{"machine", report::Alignment::left}, {"the paper's", report::Alignment::left}},
-      {}};
-  for (const GridLevel& level : grid.columns) {
-    table.columns.push_back({grid.column + " " + level.level});
-  }
-  for (const GridRow& row : grid.known) {
-    std::vector<report::Cell> cells = {{row.machine}, {cases_of(machines, row.machine)}};
-    for (const Json& value : row.cells) {
-      cells.push_back({value.is_null() ? "–" : fmt::format("{:.2f}", value.get<double>())});
-    }
-    table.rows.push_back(std::move(cells));
+ricochet::Table walls_table(const ModelLevels& levels) {
+  ricochet::Table table{"walls-by-stiffness",
+                        {{"stiffness", "stiffness of compliant walls [N/m^1.5]"},
+                         {"share", "counts equal to those of hard walls [%]", ".0%"},
+                         {"compared", "counts compared"}}};
+  for (const ModelLevels::Walls& one : levels.walls) {
+    table.add(one.stiffness, one.share, one.compared);
   }
   return table;
-}
-
-report::Table machines_table(const PaperMachines& all) {
-  report::Table table{
-      "Long run: silent up to the first speed, quiet up to the second. The paper gives no "
-      "threshold for C11 and C12.",
-      {{"case", report::Alignment::left},
-       {"restitution"},
-       {"friction"},
-       {"disturbance [N]"},
-       {"silent up to [rad/s]"},
-       {"quiet up to [rad/s]"},
-       {"paper's threshold [rad/s]"},
-       {"difference"}},
-      {}};
-  for (const PaperMachine& one : all.machines) {
-    const bool both = one.quiet_up_to && one.paper_threshold;
-    table.rows.push_back(
-        {{.text = one.id, .link = "../" + all.folder},
-         {fmt::format("{}", one.restitution)},
-         {fmt::format("{}", one.friction)},
-         {fmt::format("{}", one.disturbance)},
-         {report::text_or_dash(one.silent_up_to, "{:.2f}")},
-         {report::text_or_dash(one.quiet_up_to, "{:.2f}")},
-         {one.paper_threshold ? fmt::format("{}", *one.paper_threshold) : "none given"},
-         {both ? fmt::format("{:+.0f} %", 100 * (*one.quiet_up_to / *one.paper_threshold - 1))
-               : "–"}});
-  }
-  return table;
-}
-
-report::Section own_section() {
-  return {.id = "own",
-          .heading = "A machine of your own",
-          .paragraphs = {"Describe it in a file, and ask for its fastest quiet speed, with the "
-                         "uncertainty of its constants; or set one constant of a case of the "
-                         "paper."},
-          .code = {"./ricochet machine new > machine.toml\n"
-                   "./ricochet machine advise machine.toml\n"
-                   "./ricochet threshold --case C4 --set restitution=0.5"}};
 }
 
 }  // namespace
 
-OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundReport>& reports) {
-  OwnPage own{{"Machine", "Speeds of the machine", "machine"}, {}};
-  own.page.title = "How fast may the machine turn?";
-  own.page.intro = {speed_sentence(machines)};
-  own.page.above = "the front page";
-  report::Section moves{.id = "what-if",
-                        .heading = "What moves the threshold?",
-                        .paragraphs = {effects_sentence(machines)}};
-  if (const auto grid = machine_grid(reports)) {
-    moves.tables.push_back(grid_table(*grid, machines.machines));
-  }
-  for (const report::Chart& chart : machines.charts) moves.figures.push_back({chart, ""});
-  own.page.sections.push_back(std::move(moves));
-  own.page.sections.push_back({.id = "machines",
-                               .heading = "The paper's machines",
-                               .paragraphs = {agreement_sentence(machines)},
-                               .tables = {machines_table(machines)},
-                               .figures = {{regimes_chart(machines), ""}}});
-  own.page.sections.push_back(own_section());
-  return own;
+Place machine_place() {
+  const report::PageSource source = report::page_source(embedded::page_machines);
+  return {source.keys.at("group"), source.keys.at("label"), "machine"};
 }
+
+OwnFiles machine_page(report::Results site, const std::vector<FoundReport>& reports) {
+  if (const ricochet::Table* thresholds = site.table("reproduction-thresholds")) {
+    site.set("speed", speed_sentence(*thresholds));
+    site.add(regimes_chart(*thresholds));
+  }
+  if (const auto levels = model_levels(reports)) {
+    site.set("walls", walls_sentence(*levels));
+    site.set("planar", planar_sentence(*levels));
+    site.add(walls_table(*levels));
+  }
+  auto [files, failures] = page_files(report::page_source(embedded::page_machines), site);
+  std::erase_if(files, [](const auto& file) { return file.first.ends_with(".csv"); });
+  return {std::move(files), std::move(failures)};
+}
+
+report::Chart regimes_chart(const ricochet::Table& thresholds) {
+  const auto range = quiet_range(thresholds);
+  const double top = std::max(shown_to, range ? range->second + 1 : 0);
+  report::Chart chart{
+      .name = "regimes-of-the-machines",
+      .title = "How fast the paper's machines are silent, quiet and loud",
+      .x = {.label = ""},
+      .y = {.label = "speed of the driver plate [rad/s]", .range = report::Range{0, top}},
+      .areas = {{"silent: no collision that counts", 1.0, {}, ""},
+                {"quiet: at most two a turn", 0.72, {}, ""},
+                {"loud: more", 0.12, {}, ""}},
+      .width = 720,
+      .height = 360};
+  report::Series paper{
+      .label = "the paper's threshold", .mark = report::Mark::points, .samples = {}, .dark = true};
+  each_row(thresholds, [&](const Row& row) {
+    const auto at = static_cast<double>(chart.x.categories.size());
+    chart.x.categories.push_back(row.text("case"));
+    const double silent = row.number_if("silent_up_to").value_or(0);
+    const double quiet = std::max(row.number_if("quiet_up_to").value_or(0), silent);
+    const double borders[] = {0, silent, quiet, top};
+    for (std::size_t i = 0; i < chart.areas.size(); ++i) {
+      if (borders[i + 1] <= borders[i]) continue;
+      const report::Range between{borders[i], borders[i + 1]};
+      chart.areas[i].parts.push_back({{at - half_column, between}, {at + half_column, between}});
+    }
+    if (const auto claimed = row.number_if("paper_threshold")) {
+      paper.samples.push_back({at, claimed});
+    }
+  });
+  if (!paper.samples.empty()) chart.series.push_back(std::move(paper));
+  chart.description =
+      "Columns of the paper's machines over speed: silent, quiet and loud, with the paper's "
+      "thresholds as points. " +
+      speed_sentence(thresholds).value_or("");
+  return chart;
+}
+
+std::optional<std::string> speed_sentence(const ricochet::Table& thresholds) {
+  const auto range = quiet_range(thresholds);
+  if (!range) return std::nullopt;
+  return fmt::format(
+      "The paper's {} machines stay quiet up to {:.1f} to {:.1f} rad/s ({:.0f} to {:.0f} rpm): at "
+      "most two collisions a turn, one with each wall.",
+      thresholds.rows.size(), range->first, range->second, range->first * rpm, range->second * rpm);
+}
+
+RICOCHET_FIELDS(ModelLevels::Walls, stiffness, compared, share);
 
 namespace {
 
-constexpr const char* grid_family = "top-speed-machines";
+struct Fidelity {
+  std::vector<ModelLevels::Walls> stiffnesses;
+};
+RICOCHET_FIELDS(Fidelity, stiffnesses);
+
+struct Planar {
+  double most_wrong, largest_tangent;
+};
+RICOCHET_FIELDS(Planar, most_wrong, largest_tangent);
 
 }  // namespace
 
-std::optional<MachineGrid> machine_grid(const std::vector<FoundReport>& reports) {
-  for (const FoundReport& report : reports) {
-    for (const FoundPage& page : report.pages) {
-      const auto machines = page.data.find("machines");
-      if (machines == page.data.end() || !machines->is_array()) continue;
-      for (const Json& one : *machines) {
-        try {
-          if (one.at("family") == grid_family) return one.get<MachineGrid>();
-        } catch (const Json::exception&) {  // of another version
-        }
-      }
-    }
+std::optional<ModelLevels> model_levels(const std::vector<FoundReport>& reports) {
+  const auto found = std::ranges::find_if(
+      reports, [](const FoundReport& report) { return report.kind.name == "dynamics"; });
+  if (found == reports.end()) return std::nullopt;
+  try {
+    const auto planar = found->data.at("planar").get<Planar>();
+    return ModelLevels{found->data.at("fidelity").get<Fidelity>().stiffnesses, planar.most_wrong,
+                       planar.largest_tangent};
+  } catch (const Json::exception&) {  // of another version
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
-std::string row_label(double friction, double restitution) {
-  return fmt::format("friction {}, restitution {}", friction, restitution);
+std::optional<std::string> walls_sentence(const ModelLevels& levels) {
+  if (levels.walls.empty()) return std::nullopt;
+  const auto told = [](const ModelLevels::Walls& one) {
+    return fmt::format("{:.0f} % of {} counts", 100 * one.share.value_or(0), one.compared);
+  };
+  const auto& soft = levels.walls.front();
+  const auto& stiff = levels.walls.back();
+  return fmt::format(
+      "Yes, if walls give: compliant walls of {} N/m^1.5 agree with hard ones in {}, those of {} "
+      "N/m^1.5 in {}. Every speed on this page is of hard walls.",
+      soft.stiffness, told(soft), stiff.stiffness, told(stiff));
 }
 
-std::optional<double> with_restitution(const MachineGrid& grid, const PaperMachine& machine,
-                                       double restitution) {
-  for (const GridRow& row : grid.known) {
-    if (row.machine != row_label(machine.friction, restitution)) continue;
-    for (std::size_t i = 0; i < grid.columns.size() && i < row.cells.size(); ++i) {
-      const bool own = grid.columns[i].level == fmt::format("{}", machine.disturbance);
-      if (own && !row.cells[i].is_null()) return row.cells[i].get<double>();
-    }
-  }
-  return std::nullopt;
+std::string planar_sentence(const ModelLevels& levels) {
+  return fmt::format(
+      "The second direction, across the track, changes {} of the counts in the paper's cases, up "
+      "to a lateral yarn pull of {:.2g} times that along the track: friction holds the carrier "
+      "there. Both sides of this comparison have the same friction.",
+      levels.most_wrong == 0 ? "none" : fmt::format("at most {:.2g} %", 100 * levels.most_wrong),
+      levels.largest_tangent);
 }
 
 }  // namespace ricochet::site

@@ -1,48 +1,51 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "src/report/chart.h"
 #include "src/report/site/entries.h"
+#include "src/report/site/front.h"
 #include "src/report/site/navigation.h"
-#include "src/report/site/paper_machines.h"
 
 namespace ricochet::site {
 
-/// The page about the machine: what moves its threshold, the thresholds of the paper's machines and
-/// of those between, and how to compute one's own. The latter are from a comparison with machines
-/// on a grid, if one of the reports has it.
-OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundReport>& reports);
+/// The page about the machines, src/report/site/machines.md, from what the reports say, see
+/// site_results(): how fast the paper's turn, what moves that speed, and whether the level of the
+/// model matters.
+OwnFiles machine_page(report::Results site, const std::vector<FoundReport>& reports);
+Place machine_place();
 
-struct GridLevel {
-  std::string level;
+/// Shows each machine of a table (case, silent_up_to, quiet_up_to, paper_threshold [rad/s]) as a
+/// column: silent, quiet and loud speeds, and the paper's threshold.
+report::Chart regimes_chart(const ricochet::Table& thresholds);
+
+/// The range of the machines' fastest quiet speeds in a sentence; nothing if none has one.
+std::optional<std::string> speed_sentence(const ricochet::Table& thresholds);
+
+/// How the counts of other levels of the model compare with those of hard walls.
+struct ModelLevels {
+  struct Walls {
+    std::string stiffness;        ///< [N/m^1.5], "1e10"
+    std::int64_t compared;        ///< counts
+    std::optional<double> share;  ///< of them, equal
+  };
+
+  std::vector<Walls> walls;  ///< compliant, the softest first
+  double most_wrong;         ///< largest share of counts that differ with the second direction
+  double largest_tangent;    ///< of the pull across to that along, up to which that holds
 };
 
-struct GridRow {
-  std::string machine;  ///< "friction 0.4, restitution 0.5"
-  Json cells;           ///< a threshold [rad/s] for each level, or null
-};
+/// Reads them from the first report of the simulation's methods. Nothing if there is none that can
+/// be read.
+std::optional<ModelLevels> model_levels(const std::vector<FoundReport>& reports);
 
-/// Machines on a grid of restitution, friction and disturbance: the best known value of the problem
-/// of each, which is its fastest quiet speed.
-struct MachineGrid {
-  std::string column;  ///< the constant of the columns
-  std::vector<GridLevel> columns;
-  std::vector<GridRow> known;
-};
-RICOCHET_FIELDS(GridLevel, level);
-RICOCHET_FIELDS(GridRow, machine, cells);
-RICOCHET_FIELDS(MachineGrid, column, columns, known);
-
-/// Returns the grid of a comparison; nothing if no report has one that can be read.
-std::optional<MachineGrid> machine_grid(const std::vector<FoundReport>& reports);
-
-/// Label of a row of the grid.
-std::string row_label(double friction, double restitution);
-
-/// Threshold [rad/s] of a machine with another restitution; nothing if the grid lacks it.
-std::optional<double> with_restitution(const MachineGrid& grid, const PaperMachine& machine,
-                                       double restitution);
+/// "Compliant walls of 1e10 N/m^1.5 agree with hard ones in 29 % of 72 counts, ..."; nothing
+/// without walls.
+std::optional<std::string> walls_sentence(const ModelLevels& levels);
+/// Whether the planar model changes a count.
+std::string planar_sentence(const ModelLevels& levels);
 
 }  // namespace ricochet::site

@@ -148,20 +148,4 @@ void put_at(const std::filesystem::path& page, const std::string& mark, const st
   if (changed != text) write_text_file(page, changed, SymbolicLinks::refused);
 }
 
-std::vector<Place> write_own_pages(const std::filesystem::path& site,
-                                   const std::vector<OwnPage>& pages,
-                                   std::vector<std::string>& failures) {
-  std::vector<Place> places;
-  std::error_code none;
-  for (const OwnPage& own : pages) {
-    const std::filesystem::path folder = below(site, own.place.folder);
-    if (std::filesystem::exists(folder / "data.json", none)) continue;
-    for (const std::string& line : report::write_page(own.page, folder)) {
-      failures.push_back(own.place.folder + ": " + line);
-    }
-    places.push_back(own.place);
-  }
-  return places;
-}
-
 }  // namespace ricochet::site

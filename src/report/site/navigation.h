@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "src/report/page.h"
 #include "src/report/site/entries.h"
 
 namespace ricochet::site {
@@ -39,17 +38,5 @@ void link_pages(const std::filesystem::path& site, const std::vector<Place>& pla
 /// Replaces what stands between the comments <!-- mark --> and <!-- /mark --> of a written page. A
 /// page without them, or one that is missing, stays as it is.
 void put_at(const std::filesystem::path& page, const std::string& mark, const std::string& html);
-
-/// A page of the site itself, drawn from the data of the reports.
-struct OwnPage {
-  Place place;
-  report::Page page;
-};
-
-/// Writes the pages, except where a report has their folder. Returns the places of those written;
-/// adds a line for each chart that could not be drawn. Throws OutputError.
-std::vector<Place> write_own_pages(const std::filesystem::path& site,
-                                   const std::vector<OwnPage>& pages,
-                                   std::vector<std::string>& failures);
 
 }  // namespace ricochet::site

@@ -31,7 +31,6 @@
 #include "src/report/site/machine_page.h"
 #include "src/report/site/markdown.h"
 #include "src/report/site/navigation.h"
-#include "src/report/site/paper_machines.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -53,11 +52,15 @@ fs::path plain(const fs::path& folder) {
 /// Writes the pages that are no report. Returns the places of all pages.
 std::vector<Place> written_places(const fs::path& folder, const std::vector<FoundReport>& reports,
                                   const report::Results& site, std::vector<std::string>& failures) {
-  std::vector<OwnPage> pages;
-  if (const auto machines = paper_machines(reports)) {
-    pages.push_back(machine_page(*machines, reports));
+  std::vector<Place> own;
+  const Place machine = machine_place();
+  std::error_code none;
+  if (!fs::exists(below(folder, machine.folder) / data_file, none)) {  // no report is there
+    OwnFiles page = machine_page(site, reports);
+    report::replace_files(below(folder, machine.folder), page.files);
+    for (const std::string& line : page.failures) failures.push_back(machine.folder + ": " + line);
+    own.push_back(machine);
   }
-  std::vector<Place> own = write_own_pages(folder, pages, failures);
   const OwnFiles cite = cite_page(site);
   report::replace_files(below(folder, cite_folder), cite.files);
   own.push_back({"Data", "Cite and repeat", cite_folder});

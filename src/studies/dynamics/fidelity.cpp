@@ -13,6 +13,7 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "src/core/progress.h"
@@ -114,15 +115,13 @@ FidelityData data_of(const FidelityStudy& study) {
   return data;
 }
 
-namespace {
-
-constexpr double highest = 18;  // [rad/s]
-
-Scene scene_with(const Case& the_case, double direction, double stiffness) {
+Scene level_scene(const Case& the_case, double direction, double stiffness) {
   Scene scene = scene_of(the_case, default_machine());
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = stiffness;
-  scene.contact_friction = false;  // y has a contact friction of its own
+  scene.restitution_lower = lower_restitution(scene);
+  scene.restitution_upper = upper_restitution(scene);
+  scene.contact_friction = false;
   scene.across = Across<double>{direction * scene.pull,
                                 scene.wall_lower,
                                 scene.wall_upper,
@@ -132,6 +131,10 @@ Scene scene_with(const Case& the_case, double direction, double stiffness) {
                                 0.0};
   return scene;
 }
+
+namespace {
+
+constexpr double highest = 18;  // [rad/s]
 
 Scene at_level(Scene scene, Fidelity level) {
   scene.fidelity = level;
@@ -147,13 +150,13 @@ struct Finding {
 
 Finding find(const Case& the_case, double omega, const LevelPlan& plan) {
   Finding finding;
-  Scene scene = at_speed(scene_with(the_case, 0, plan.stiffness), omega);
+  Scene scene = at_speed(level_scene(the_case, 0, plan.stiffness), omega);
   scene.across.reset();
   const Recording hard = record(at_level(scene, Fidelity::impact), default_smoothing, 0);
   finding.doubt = hard.certainty.doubt;
   finding.resolved = !hard.certainty.certain && needed_fidelity(scene) == Fidelity::compliant;
   for (const double direction : plan.directions) {
-    scene = at_speed(scene_with(the_case, direction, plan.stiffness), omega);
+    scene = at_speed(level_scene(the_case, direction, plan.stiffness), omega);
     const bool coupled = couples(scene);
     finding.coupled.push_back(coupled);
     finding.wrong.push_back(coupled &&
@@ -170,7 +173,7 @@ double seconds_of(const Scene& scene, Fidelity level, double omega) {
 }
 
 void time_levels(const Case& the_case, const LevelPlan& plan, LevelRow& row) {
-  const Scene scene = scene_with(the_case, plan.directions.back(), plan.stiffness);
+  const Scene scene = level_scene(the_case, plan.directions.back(), plan.stiffness);
   Scene alone = scene;
   alone.across.reset();
   for (int k = 1; k <= row.speeds; k += static_cast<int>(plan.cost_stride)) {

@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/counting/certainty.h"
+#include "problems/carrier_track/suite/cases.h"
 #include "src/report/json.h"
 
 /// Hard against compliant walls: does the count differ, and at what cost?
@@ -97,6 +98,12 @@ struct LevelRow {
   std::vector<int> wrong;           ///< of those, speeds where the count of x alone differs
   std::array<double, 4> seconds{};  ///< processor time of impact, compliant, planar, auto
 };
+
+/// The machine of a case at each level: with a second direction in which the yarn pulls by
+/// `direction` times its pull along x. The planar level has no contact_friction; it is in the
+/// restitution instead, which is the same along x.
+carrier_track::Scene level_scene(const carrier_track::Case& the_case, double direction,
+                                 double stiffness);
 
 struct LevelStudy {
   LevelPlan plan;

@@ -82,7 +82,7 @@ std::string text_of(const UncertainDivide& uncertain) {
     text += fmt::format(" {} {:+.3f};", key, change);
   }
   text.back() = '.';
-  return text + "\n";
+  return text;
 }
 
 Json json_of(const ToleranceRange& range) {
@@ -239,11 +239,9 @@ std::string text_of(const QuietSpeedAnswer& output) {
     text.back() = '.';
     text += "\n";
   }
-  if (output.range) {
-    text += fmt::format("With every constant uncertain by {:.3g} %, {}.\n", 100 * output.tolerance,
-                        text_of(*output.range));
+  for (const auto& sentence : {tolerance_sentence(output), uncertainty_sentence(output)}) {
+    if (sentence) text += *sentence + "\n";
   }
-  if (output.uncertain) text += text_of(*output.uncertain);
   text += notes_on(output.scene, output.start);
   return text;
 }
@@ -387,18 +385,12 @@ constexpr double long_window = 30;  // turns
 
 }  // namespace
 
-Json model_choice(const Scene& scene, const QuietSpeed& answer) {
+ModelChoice model_choice(const Scene& scene, const QuietSpeed& answer) {
   const double omega = answer.fastest_quiet.value_or(answer.options.fastest);
-  const bool needed = couples(at_speed(scene, omega));
-  Json choice = {{"across", scene.across.has_value()},
-                 {"needed", needed},
-                 {"omega", omega},
-                 {"along", Json()},
-                 {"planar", Json()}};
+  ModelChoice choice{scene.across.has_value(), couples(at_speed(scene, omega)), omega, {}, {}};
   const auto scan = coarse_scan(scene, answer);
-  if (!needed || !scan) return choice;
-  for (const auto& [key, fidelity] :
-       {std::pair{"along", Fidelity::impact}, std::pair{"planar", Fidelity::planar}}) {
+  if (!choice.needed || !scan) return choice;
+  const auto quiet_with = [&](Fidelity fidelity) {
     Scene at_level = scene;
     at_level.fidelity = fidelity;
     Limit limit = *answer.limit;
@@ -408,9 +400,53 @@ Json model_choice(const Scene& scene, const QuietSpeed& answer) {
       at_level.window = Revolutions{long_window};
       limit = {Measure::collisions, long_window * (limit.at_most + 0.5)};
     }
-    choice[key] = {{"quiet", quiet_range(at_level, limit, *scan).quiet}};
-  }
+    return quiet_range(at_level, limit, *scan).quiet;
+  };
+  choice.along = quiet_with(Fidelity::impact);
+  choice.planar = quiet_with(Fidelity::planar);
   return choice;
+}
+
+std::string sentence_of(const ModelChoice& choice) {
+  if (!choice.across) {
+    return "The planar model is not needed: the file has no clearance across the track. With a "
+           "section [across] in your file the answer may differ.";
+  }
+  if (!choice.needed) {
+    return fmt::format(
+        "The planar model is not needed: at {:.3f} rad/s friction holds the carrier where it is "
+        "across its track, so that the motion along it is the same.",
+        choice.omega);
+  }
+  std::string text = fmt::format(
+      "The planar model is needed: at {:.3f} rad/s the carrier also moves across its track, or is "
+      "pressed to a wall there, and friction couples this to the motion along it.",
+      choice.omega);
+  if (choice.planar && choice.along) {
+    text += fmt::format(
+        " It is quiet up to {:.3f} rad/s, the motion along the track alone up to {:.3f} rad/s.",
+        *choice.planar, *choice.along);
+  }
+  return text;
+}
+
+std::optional<std::string> strongest_of(const QuietSpeedAnswer& output) {
+  if (output.sensitivities.empty()) return std::nullopt;
+  const auto& [key, percent] = output.sensitivities.front();
+  const bool is_limit = key == "counting_limit";
+  return fmt::format(
+      "What moves this speed most is {}{}: one per cent more of it moves the speed by {:+.2f} %.",
+      key, is_limit ? ", which says what counts as a collision" : "", percent);
+}
+
+std::optional<std::string> tolerance_sentence(const QuietSpeedAnswer& output) {
+  if (!output.range) return std::nullopt;
+  return fmt::format("With every constant uncertain by {:.3g} %, {}.", 100 * output.tolerance,
+                     text_of(*output.range));
+}
+
+std::optional<std::string> uncertainty_sentence(const QuietSpeedAnswer& output) {
+  return output.uncertain ? std::optional(text_of(*output.uncertain)) : std::nullopt;
 }
 
 }  // namespace ricochet::studies::advice

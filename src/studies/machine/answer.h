@@ -82,9 +82,28 @@ std::string text_of(const QuietSpeedAnswer& output);
 
 report::Json json_of(const QuietSpeedAnswer& output);
 
-/// Whether a machine needs the planar model: whether it has a second direction, whether that
-/// direction affects the first at the fastest quiet speed, and if so the results of both models.
-report::Json model_choice(const carrier_track::Scene& scene,
-                          const carrier_track::QuietSpeed& answer);
+/// Whether a machine needs the planar model.
+struct ModelChoice {
+  bool across;   ///< it has a second direction
+  bool needed;   ///< that direction affects the first at `omega`
+  double omega;  ///< [rad/s], the fastest quiet speed
+  /// [rad/s], the fastest quiet speed without the second direction and with it, if it is needed and
+  /// the answer has a limit. Both have the same friction: [across] allows no contact_friction.
+  std::optional<double> along, planar;
+};
+
+ModelChoice model_choice(const carrier_track::Scene& scene,
+                         const carrier_track::QuietSpeed& answer);
+
+/// Whether the planar model is needed, with both speeds if it is.
+std::string sentence_of(const ModelChoice& choice);
+
+/// The constant that moves the speed most, in a sentence; nothing without sensitivities.
+std::optional<std::string> strongest_of(const QuietSpeedAnswer& output);
+
+/// What a tolerance of all constants, and what the uncertainties of the file do to the answer;
+/// nothing if they are not asked for.
+std::optional<std::string> tolerance_sentence(const QuietSpeedAnswer& output);
+std::optional<std::string> uncertainty_sentence(const QuietSpeedAnswer& output);
 
 }  // namespace ricochet::studies::advice

@@ -1,5 +1,7 @@
 #include "src/studies/machine/design_parameters.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -64,38 +66,26 @@ double DesignParameter::value(double share) const {
   return share < 0 ? own + share * (own - least) : own + share * (most - own);
 }
 
-std::vector<double> DesignParameter::levels() const {
-  std::vector<double> values;
-  for (const double share : shares) {
-    const double at = value(share);
-    if (values.empty() || at != values.back()) values.push_back(at);
-  }
-  return values;
-}
-
 std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
-  const std::vector<double> three{-1, 0, 1};
-  const std::vector<double> five{-1, -0.5, 0, 0.5, 1};
   const double restitution = scene.restitution_lower;
   const double friction = scene.friction;
   // With contact friction, a coefficient of 1 or more takes the whole velocity.
   const double slippery = scene.contact_friction ? std::max(friction, 0.99) : 1e15;
   std::vector<DesignParameter> design_parameters = {
-      {"restitution", "", restitution / 2, restitution, (1 + restitution) / 2, five,
-       with_restitution},
-      {"friction", "", 0, friction, std::min(slippery, friction > 0 ? 2 * friction : 0.2), five,
+      {"restitution", "", restitution / 2, restitution, (1 + restitution) / 2, with_restitution},
+      {"friction", "", 0, friction, std::min(slippery, friction > 0 ? 2 * friction : 0.2),
        with_friction}};
   if (std::isfinite(scene.wall_upper)) {
     const double clearance = clearance_of(scene);
     design_parameters.push_back(
-        {"clearance", "mm", clearance / 2, clearance, 2 * clearance, three, with_clearance});
+        {"clearance", "mm", clearance / 2, clearance, 2 * clearance, with_clearance});
   }
   const double force = std::max(std::abs(scene.pull), friction * scene.normal_force);
   if (scene.disturbance != 0) {
     design_parameters.push_back(
-        {"disturbance", "N", 0, scene.disturbance, 2 * scene.disturbance, three, with_disturbance});
+        {"disturbance", "N", 0, scene.disturbance, 2 * scene.disturbance, with_disturbance});
   } else if (force > 0) {
-    design_parameters.push_back({"disturbance", "N", 0, 0, force, five, with_disturbance});
+    design_parameters.push_back({"disturbance", "N", 0, 0, force, with_disturbance});
   }
   return design_parameters;
 }
@@ -103,7 +93,6 @@ std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 /// 1 if the scene is loud at this speed, else 0.
 int loudness(const Scene& scene, const Limit& limit, double omega) {
@@ -165,77 +154,11 @@ QuietRange found(const Scene& scene, const Limit& limit, const CoarseScan& scan)
   if (const auto place = best_split(loud, 0.5).speed) {
     range.divide = std::max(omega(*place - 1), range.quiet.value_or(0));
   }
-  range.mixed = !range.divide && !range.to_the_end;
   return range;
 }
 
-/// The machine with the design parameter levels of a combination.
-Scene turned(Scene scene, const DesignParameterGrid& grid, std::size_t combination) {
-  for (std::size_t k = grid.design_parameters.size(); k-- > 0;) {
-    const std::vector<double>& levels = grid.levels[k];
-    const double value = levels[combination % levels.size()];
-    combination /= levels.size();
-    if (value != grid.design_parameters[k].own)
-      scene = grid.design_parameters[k].turned(scene, value);
-  }
-  return scene;
-}
-
 double share_of_point(std::size_t i) {
-  return -1 + 2.0 * static_cast<double>(i) / (DesignParameterGrid::points_of_a_line - 1);
-}
-
-/// Rounded to a ten-thousandth, which is finer than the scan's resolution.
-Json four_decimals(const std::optional<double>& value) {
-  return value ? Json(std::round(*value * 1e4) / 1e4) : Json();
-}
-
-Json change_of(const QuietRange& range, const QuietRange& own) {
-  if (!range.quiet || !own.quiet) return {};
-  return four_decimals(*range.quiet / *own.quiet - 1);
-}
-
-Json json_of(const QuietRange& range, const QuietRange& own) {
-  return {{"quiet", four_decimals(range.quiet)},
-          {"rpm", range.quiet ? four_decimals(*range.quiet * rpm) : Json()},
-          {"change", change_of(range, own)},
-          {"divide", four_decimals(range.divide)},
-          {"mixed", range.mixed},
-          {"to_the_end", range.to_the_end},
-          {"simulated", range.simulated}};
-}
-
-std::string label_of(const DesignParameter& design_parameter) {
-  return design_parameter.unit.empty() ? design_parameter.name
-                                       : design_parameter.name + " [" + design_parameter.unit + "]";
-}
-
-Json points_of_line(const DesignParameterGrid& grid, std::size_t k) {
-  Json points = Json::array();
-  for (const QuietRange& range : grid.lines[k]) {
-    Json point = json_of(range, grid.own);
-    point["value"] = grid.design_parameters[k].value(share_of_point(points.size()));
-    points.push_back(std::move(point));
-  }
-  return points;
-}
-
-/// The values of a design parameter on its line at which the machine is fastest and slowest.
-Json ends_of_line(const DesignParameter& design_parameter, const Json& points) {
-  const auto slower = [](const Json& a, const Json& b) { return a["quiet"] < b["quiet"]; };
-  // Of equal points the machine's own value is preferred.
-  const Json& own = points.at(DesignParameterGrid::points_of_a_line / 2);
-  const Json& most = *std::max_element(points.begin(), points.end(), slower);
-  const Json& least = *std::min_element(points.begin(), points.end(), slower);
-  return {{"design_parameter", design_parameter.name},
-          {"label", label_of(design_parameter)},
-          {"unit", design_parameter.unit},
-          {"least", design_parameter.least},
-          {"own", design_parameter.own},
-          {"most", design_parameter.most},
-          {"matters", slower(own, most)},
-          {"best", slower(own, most) ? most : own},
-          {"worst", slower(least, own) ? least : own}};
+  return -1 + 2.0 * static_cast<double>(i) / (DesignLines::points_of_a_line - 1);
 }
 
 }  // namespace
@@ -258,88 +181,172 @@ QuietRange quiet_range(const Scene& scene, const Limit& limit, const CoarseScan&
     return is_of_the_long_run(scene, limit) ? found_in_the_long_run(scene, limit, scan)
                                             : found(scene, limit, scan);
   } catch (const std::runtime_error&) {  // more impacts or steps than a simulation may have
-    QuietRange range;
-    range.simulated = false;
-    return range;
+    return {};
   }
 }
 
-std::optional<DesignParameterGrid> design_parameter_grid(const Scene& scene,
-                                                         const QuietSpeed& answer) {
+std::optional<DesignLines> design_lines(const Scene& scene, const QuietSpeed& answer) {
   const auto scan = coarse_scan(scene, answer);
   if (!scan) return std::nullopt;
-  DesignParameterGrid grid{
-      *scan, answer.is_of_the_long_run(), design_parameters_of(scene), {}, {}, {}, {}};
-  std::size_t combinations = 1;
-  for (const DesignParameter& design_parameter : grid.design_parameters) {
-    grid.levels.push_back(design_parameter.levels());
-    combinations *= grid.levels.back().size();
-  }
-  grid.combinations.resize(combinations);
-  grid.lines.assign(grid.design_parameters.size(),
-                    std::vector<QuietRange>(DesignParameterGrid::points_of_a_line));
-  grid.own = quiet_range(scene, *answer.limit, grid.scan);
-  const std::size_t of_lines =
-      grid.design_parameters.size() * DesignParameterGrid::points_of_a_line;
-  in_parallel("variants of the machine", combinations + of_lines, [&](std::size_t i) {
-    if (i < combinations) {
-      grid.combinations[i] = quiet_range(turned(scene, grid, i), *answer.limit, grid.scan);
-      return;
-    }
-    const std::size_t k = (i - combinations) / DesignParameterGrid::points_of_a_line;
-    const std::size_t point = (i - combinations) % DesignParameterGrid::points_of_a_line;
-    const DesignParameter& design_parameter = grid.design_parameters[k];
-    const double value = design_parameter.value(share_of_point(point));
-    grid.lines[k][point] =
-        quiet_range(value == design_parameter.own ? scene : design_parameter.turned(scene, value),
-                    *answer.limit, grid.scan);
+  constexpr std::size_t points = DesignLines::points_of_a_line;
+  DesignLines all{*scan, answer.is_of_the_long_run(), design_parameters_of(scene), {}, {}};
+  all.lines.assign(all.design_parameters.size(), std::vector<QuietRange>(points));
+  all.own = quiet_range(scene, *answer.limit, all.scan);
+  in_parallel("variants of the machine", all.lines.size() * points, [&](std::size_t i) {
+    const DesignParameter& one = all.design_parameters[i / points];
+    const double value = one.value(share_of_point(i % points));
+    all.lines[i / points][i % points] =
+        quiet_range(value == one.own ? scene : one.turned(scene, value), *answer.limit, all.scan);
   });
-  return grid;
+  return all;
 }
 
-Json json_of(const std::optional<DesignParameterGrid>& grid) {
-  if (!grid) return {};
-  Json design_parameters = Json::array();
-  Json lines = Json::array();
-  Json charts = Json::array();
-  for (std::size_t k = 0; k < grid->design_parameters.size(); ++k) {
-    const DesignParameter& design_parameter = grid->design_parameters[k];
-    const auto& levels = grid->levels[k];
-    const auto own = std::find(levels.begin(), levels.end(), design_parameter.own) - levels.begin();
-    design_parameters.push_back({{"design_parameter", design_parameter.name},
-                                 {"unit", design_parameter.unit},
-                                 {"own", own},
-                                 {"levels", levels}});
-    Json points = points_of_line(*grid, k);
-    lines.push_back(ends_of_line(design_parameter, points));
-    charts.push_back({{"design_parameter", design_parameter.name},
-                      {"label", label_of(design_parameter)},
-                      {"own", design_parameter.own},
-                      {"points", std::move(points)}});
+namespace {
+
+std::string label_of(const DesignParameter& one) {
+  return one.unit.empty() ? one.name : fmt::format("{} [{}]", one.name, one.unit);
+}
+
+/// A point of a line.
+struct Point {
+  double value;
+  QuietRange range;
+};
+
+bool is_slower(const Point& a, const Point& b) {
+  return a.range.quiet < b.range.quiet;  // nothing is less than any number
+}
+
+std::vector<Point> points_of(const DesignLines& lines, std::size_t k) {
+  std::vector<Point> points;
+  for (const QuietRange& range : lines.lines[k]) {
+    points.push_back({lines.design_parameters[k].value(share_of_point(points.size())), range});
   }
-  std::stable_sort(lines.begin(), lines.end(), [](const Json& a, const Json& b) {
-    return a["best"]["quiet"] > b["best"]["quiet"];  // null is less than any number
-  });
-  double top = grid->own.quiet.value_or(0);
-  for (const auto& line : grid->lines) {
-    for (const QuietRange& range : line) {
+  return points;
+}
+
+/// A design parameter, and where on its line the machine is fastest and slowest.
+struct Ends {
+  const DesignParameter* parameter;
+  Point best, worst;
+  bool matters;  ///< a value is faster than the machine's own
+};
+
+Ends ends_of(const DesignLines& lines, std::size_t k) {
+  const std::vector<Point> points = points_of(lines, k);
+  // Of equal points the machine's own value is preferred.
+  const Point& own = points[points.size() / 2];
+  const Point& most = *std::ranges::max_element(points, is_slower);
+  const Point& least = *std::ranges::min_element(points, is_slower);
+  const bool matters = is_slower(own, most);
+  return {&lines.design_parameters[k], matters ? most : own, is_slower(least, own) ? least : own,
+          matters};
+}
+
+std::optional<double> change_of(const QuietRange& range, const QuietRange& own) {
+  return range.quiet && own.quiet ? std::optional(*range.quiet / *own.quiet - 1) : std::nullopt;
+}
+
+Table table_of(const std::vector<Ends>& all, const QuietRange& own) {
+  Table table{"design-parameters",
+              {{"design_parameter", "design parameter"},
+               {"own", "its own", ".3g"},
+               {"least", "tried from", ".3g"},
+               {"most", "to", ".3g"},
+               {"best", "fastest at", ".3g"},
+               {"best_quiet", "quiet up to [rad/s]", ".3f"},
+               {"best_rpm", "[rpm]", ".1f"},
+               {"best_change", "change [%]", "+.1%"},
+               {"worst", "slowest at", ".3g"},
+               {"worst_quiet", "quiet up to [rad/s]", ".3f"},
+               {"worst_change", "change [%]", "+.1%"}}};
+  for (const Ends& one : all) {
+    const auto& best = one.best.range.quiet;
+    table.add(label_of(*one.parameter), one.parameter->own, one.parameter->least,
+              one.parameter->most, one.best.value, best,
+              best ? std::optional(*best * rpm) : std::nullopt, change_of(one.best.range, own),
+              one.worst.value, one.worst.range.quiet, change_of(one.worst.range, own));
+  }
+  return table;
+}
+
+/// The gain from the first; nothing if no value is faster than the machine's own.
+std::optional<std::string> sentence_of(const std::vector<Ends>& all, const QuietRange& own) {
+  if (all.empty() || !all.front().matters) return std::nullopt;
+  const auto& [parameter, best, worst, matters] = all.front();
+  const std::string unit = parameter->unit.empty() ? "" : " " + parameter->unit;
+  const auto change = change_of(best.range, own);
+  return fmt::format(
+      "Of the design parameters the {} has the largest effect: at {:.3g}{} in place of {:.3g} the "
+      "machine would be {}.",
+      parameter->name, best.value, unit, parameter->own,
+      best.range.to_the_end
+          ? "quiet at every speed that was tried"
+          : fmt::format("quiet up to {:.3f} rad/s{}", *best.range.quiet,
+                        change ? fmt::format(" ({:+.0f} %)", 100 * *change) : ""));
+}
+
+/// `top` [rad/s] is the end of the axis, one for all.
+report::Chart chart_of(const DesignLines& lines, std::size_t k, double top) {
+  const DesignParameter& parameter = lines.design_parameters[k];
+  report::Series quiet{"quiet up to here", report::Mark::points, {}};
+  report::Series divide{"quiet and loud divide", report::Mark::line, {}, true};
+  for (const auto& [value, range] : points_of(lines, k)) {
+    quiet.samples.push_back({value, range.quiet});
+    divide.samples.push_back({value, range.divide});
+  }
+  report::Chart chart{.name = "line",
+                      .title = "Fastest quiet speed over " + parameter.name,
+                      .x = {label_of(parameter)},
+                      .y = {.label = "speed [rad/s]", .range = report::Range{0, top}},
+                      .series = {std::move(quiet)},
+                      .lines = {{report::Direction::vertical, parameter.own, "its own"}}};
+  if (!lines.long_run) chart.series.push_back(std::move(divide));
+  return chart;
+}
+
+std::string method_of(const DesignLines& lines) {
+  const CoarseScan& scan = lines.scan;
+  if (lines.long_run) {
+    return fmt::format(
+        "Each variant is a machine of its own, whose long run is followed from {:.3f} to {:.3f} "
+        "rad/s until some turn has more collisions than the limit. That border is solved; with a "
+        "disturbance, it is bracketed between speeds 2 % apart and halved five times.",
+        scan.lowest, scan.highest);
+  }
+  return fmt::format(
+      "Each variant is simulated at speeds from {:.3f} to {:.3f} rad/s, each {:.0f} % faster than "
+      "the one before; between the last quiet and the first loud one four halvings follow. A loud "
+      "interval narrower than that can be missed; the answer at the head, at steps of 0.001 "
+      "rad/s, does not miss it. Quiet and loud divide at the speed that puts the fewest speeds on "
+      "the wrong side.",
+      scan.lowest, scan.highest, 100 * (scan.ratio - 1));
+}
+
+}  // namespace
+
+void add_design(const std::optional<DesignLines>& lines, report::Results& results) {
+  std::vector<Ends> all;
+  double top = 0;
+  for (std::size_t k = 0; lines && k < lines->lines.size(); ++k) {
+    all.push_back(ends_of(*lines, k));
+    for (const QuietRange& range : lines->lines[k]) {
       top = std::max({top, range.quiet.value_or(0), range.divide.value_or(0)});
     }
   }
-  Json own = json_of(grid->own, grid->own);
-  return {{"from", grid->scan.lowest},
-          {"to", grid->scan.highest},
-          {"step", grid->scan.ratio - 1},
-          {"in_window", !grid->long_run},
-          {"combinations", grid->combinations.size()},
-          {"own", std::move(own)},
-          {"top", top > 0 ? 1.1 * top : 1},  // of all charts, which share one scale
-          {"design_parameters", std::move(design_parameters)},
-          {"lines", std::move(lines)},
-          {"charts", std::move(charts)},
-          {"answers", report::list_of(grid->combinations, [&](const QuietRange& range) {
-             return json_of(range, grid->own);
-           })}};
+  std::ranges::stable_sort(all,
+                           [](const Ends& a, const Ends& b) { return is_slower(b.best, a.best); });
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto place = static_cast<std::size_t>(all[k].parameter - lines->design_parameters.data());
+    report::Results own;
+    own.add(chart_of(*lines, place, top > 0 ? 1.1 * top : 1));
+    results.add("design", {all[k].parameter->name, all[k].parameter->name, std::move(own)});
+  }
+  const QuietRange own = lines ? lines->own : QuietRange{};
+  results.set("design", sentence_of(all, own));
+  results.set("design-own", own.quiet);
+  results.set("design-method", lines ? std::optional(method_of(*lines)) : std::nullopt);
+  results.add(table_of(all, own));
 }
 
 }  // namespace ricochet::studies::advice

@@ -6,7 +6,7 @@
 
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 namespace ricochet::studies::advice {
 
@@ -15,15 +15,11 @@ struct DesignParameter {
   std::string name;  ///< "clearance"
   std::string unit;  ///< "mm"; empty for a ratio
   double least, own, most;
-  std::vector<double> shares;  ///< tried together with the others, see value()
   /// The machine with another value in least..most.
   carrier_track::Scene (*turned)(const carrier_track::Scene& scene, double value);
 
   /// The least value at -1, the machine's own at 0, the most at 1, linear in between.
   double value(double share) const;
-
-  /// The values at its shares without repetitions: one end may be the own value.
-  std::vector<double> levels() const;
 };
 
 /// Restitution from half its own to half way to 1; friction from 0 to twice its own (to 0.2 if it
@@ -48,9 +44,7 @@ struct QuietRange {
   std::optional<double> quiet;
   std::optional<double> divide;  ///< [rad/s], the speed that best separates quiet from loud; of a
                                  ///< limit of the window
-  bool mixed = false;            ///< in the window no speed separates them
   bool to_the_end = false;       ///< no scanned speed is loud
-  bool simulated = true;         ///< false: more impacts or steps than a simulation may have
 };
 
 /// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
@@ -63,29 +57,30 @@ bool is_irregular(const carrier_track::Scene& scene, const carrier_track::QuietS
 std::optional<CoarseScan> coarse_scan(const carrier_track::Scene& scene,
                                       const carrier_track::QuietSpeed& answer);
 
+/// Empty, too, where a simulation would have more impacts or steps than it may have.
 QuietRange quiet_range(const carrier_track::Scene& scene, const carrier_track::Limit& limit,
                        const CoarseScan& scan);
 
-/// The quiet ranges of a machine for every combination of its design parameters' levels, and along
-/// each design parameter with the others at the machine's own values.
-struct DesignParameterGrid {
+/// The quiet ranges of a machine along each design parameter, with the others at the machine's own
+/// values.
+struct DesignLines {
   static constexpr std::size_t points_of_a_line = 21;
 
   CoarseScan scan;
   bool long_run;  ///< whether the limit is about the long run
   std::vector<DesignParameter> design_parameters;
-  std::vector<std::vector<double>> levels;     ///< of each design parameter
-  std::vector<QuietRange> combinations;        ///< the last design parameter's level changes first
   std::vector<std::vector<QuietRange>> lines;  ///< of each design parameter, at shares -1 .. 1
   QuietRange own;
 };
 
-/// Empty where coarse_scan() is. Takes some 150,000 simulations, in parallel.
-std::optional<DesignParameterGrid> design_parameter_grid(const carrier_track::Scene& scene,
-                                                         const carrier_track::QuietSpeed& answer);
+/// Empty where coarse_scan() is. Takes some 50,000 simulations, in parallel.
+std::optional<DesignLines> design_lines(const carrier_track::Scene& scene,
+                                        const carrier_track::QuietSpeed& answer);
 
-/// Data for the page: design parameters with their levels, an answer for each combination, lines,
-/// and the gain from each design parameter alone, the largest first. Null without a grid.
-report::Json json_of(const std::optional<DesignParameterGrid>& grid);
+/// Adds what the page says of them: the table "design-parameters", the largest gain first; a part
+/// "design" with a chart for each; and the values "design", the largest gain in a sentence,
+/// "design-own", the machine's own fastest quiet speed [rad/s] by the same scan, and
+/// "design-method". Without lines the values are missing.
+void add_design(const std::optional<DesignLines>& lines, report::Results& results);
 
 }  // namespace ricochet::studies::advice

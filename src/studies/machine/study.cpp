@@ -1,7 +1,10 @@
 #include "src/studies/machine/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
@@ -9,6 +12,7 @@
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
 #include "src/core/in_parallel.h"
+#include "src/report/results.h"
 #include "src/studies/machine/answer.h"
 #include "src/studies/machine/charts.h"
 #include "src/studies/machine/design_parameters.h"
@@ -20,47 +24,146 @@ namespace {
 
 using namespace carrier_track;
 using namespace advice;
-using report::Json;
+using report::Results;
 
-/// The table of the regimes, in an engineer's units.
-Json regime_rows(const std::vector<Regime>& regimes) {
-  return report::list_of(without_narrow(regimes), [](const Regime& regime) {
-    return Json{{"from", regime.from},
-                {"to", regime.to},
-                {"rpm", regime.to * rpm},
-                {"collisions", counts_of(regime)},
-                {"energy", 1e3 * regime.last.energy_per_turn},
-                {"impact", 1e3 * regime.last.fastest_impact},
-                {"rest", regime.last.share_at_rest},
-                {"ends_by", name_of(regime.ends_by)}};
-  });
+/// The regimes in an engineer's units.
+Table regime_table(const std::vector<Regime>& regimes) {
+  Table table{"regimes",
+              {{"from", "from [rad/s]", ".3f"},
+               {"to", "to [rad/s]", ".3f"},
+               {"rpm", "to [rpm]", ".2f"},
+               {"collisions", "collisions a turn"},
+               {"energy", "energy a turn [mJ]", ".3g"},
+               {"impact", "fastest impact [mm/s]", ".3g"},
+               {"rest", "at rest [%]", ".0%"},
+               {"ends_by", "ends by"},
+               {"certain", "certain", "mark"}}};
+  for (const Regime& regime : without_narrow(regimes)) {
+    table.add(regime.from, regime.to, regime.to * rpm, counts_of(regime),
+              1e3 * regime.last.energy_per_turn, 1e3 * regime.last.fastest_impact,
+              regime.last.share_at_rest, name_of(regime.ends_by), regime.certain);
+  }
+  return table;
 }
 
-/// The energy taken by the walls in a turn and the fastest impact, at both ends of all regimes.
-Json wear_data(const std::vector<Regime>& regimes) {
-  Json rows = Json::array();
+Table step_table(const std::vector<Step>& steps) {
+  Table table{"steps",
+              {{"omega", "speed [rad/s]", ".3f"},
+               {"below", "collisions below, at most"},
+               {"above", "above, at least"},
+               {"reach", "holds up to [times its speed]", ".2f"},
+               {"significance", "", ".3f"},
+               {"first_loud", "first louder speed [rad/s]", ".3f"}}};
+  for (const Step& step : steps) {
+    table.add(step.omega, step.below, step.above, step.reach, step.significance, step.first_loud);
+  }
+  return table;
+}
+
+Table level_table(const std::vector<carrier_track::Level>& levels) {
+  Table table{"levels",
+              {{"from", "from [rad/s]", ".2f"},
+               {"to", "to [rad/s]", ".2f"},
+               {"low", "fewest"},
+               {"typical", "median"},
+               {"high", "most"}}};
+  for (const carrier_track::Level& level : levels) {
+    table.add(level.from, level.to, level.low, level.typical, level.high);
+  }
+  return table;
+}
+
+Table around_table(const std::vector<CountThere>& around) {
+  Table table{"around",
+              {{"omega", "speed [rad/s]", ".3f"},
+               {"count", "collisions in the window"},
+               {"per_turn", "a turn", ".3g"},
+               {"certain", "certain", "mark"}}};
+  for (const CountThere& there : around) {
+    table.add(there.omega, there.count, there.per_turn, there.certain);
+  }
+  return table;
+}
+
+/// The change of each constant that would give a tenth more speed.
+Table change_table(const std::vector<Sensitivity>& all) {
+  Table table{"changes",
+              {{"constant"},
+               {"percent", "one per cent more moves the speed by [%]", "+.2f"},
+               {"for_a_tenth", "for a tenth more speed, change it by [%]", "+.1%"}}};
+  for (const Sensitivity& s : all) {
+    if (std::abs(s.percent) < 0.05) continue;  // would have to change more than twofold
+    table.add(s.key, s.percent, std::expm1(std::log(1.1) / s.percent));
+  }
+  return table;
+}
+
+/// A row for each line.
+Table lines_table(std::string name, const std::vector<std::string>& lines) {
+  Table table{std::move(name), {{"line"}}};
+  for (const std::string& line : lines) table.add(line);
+  return table;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// What a speed costs.
+struct Wear {
+  double omega;   ///< [rad/s]
+  double energy;  ///< [J] that the walls take, in a turn or in the window
+  double impact;  ///< [m/s], the fastest
+};
+
+/// At both ends of all regimes.
+std::vector<Wear> wear_of(const std::vector<Regime>& regimes) {
+  std::vector<Wear> all;
   for (const Regime& regime : regimes) {
     for (const LongRun& run : {regime.first, regime.last}) {
-      rows.push_back({{"speed", run.orbit.omega},
-                      {"energy", 1e3 * run.energy_per_turn},
-                      {"impact", run.fastest_impact}});
+      all.push_back({run.orbit.omega, run.energy_per_turn, run.fastest_impact});
     }
   }
-  return rows;
+  return all;
 }
 
 /// The same in the window, over the speeds.
-Json wear_data(const Scene& scene, double fastest) {
+std::vector<Wear> wear_of(const Scene& scene, double fastest) {
   constexpr std::size_t speeds = 300;
-  std::vector<Json> rows(speeds);
+  std::vector<Wear> all(speeds);
   in_parallel("wear", speeds, [&](std::size_t k) {
     const double omega = fastest * static_cast<double>(k + 1) / speeds;
     const Scene there = at_speed(scene, omega);
-    rows[k] = {{"speed", omega},
-               {"energy", 1e3 * measured(there, Measure::energy)},
-               {"impact", measured(there, Measure::impact_speed)}};
+    all[k] = {omega, measured(there, Measure::energy), measured(there, Measure::impact_speed)};
   });
-  return rows;
+  return all;
+}
+
+void add_wear(const std::vector<Wear>& all, const QuietSpeed& found, Results& results) {
+  report::Chart energy{.name = "energy",
+                       .title = found.is_of_the_long_run()
+                                    ? "Energy that the walls take in a turn"
+                                    : "Energy that the walls take in the window",
+                       .x = {"speed [rad/s]", {}, report::Range{0, found.options.fastest}},
+                       .y = {"energy [mJ]"},
+                       .series = {{"energy", report::Mark::line, {}}}};
+  if (found.fastest_quiet) {
+    energy.lines = {{report::Direction::vertical, *found.fastest_quiet, "fastest quiet speed"}};
+  }
+  report::Chart impact = energy;
+  impact.name = "impact";
+  impact.title = "Approach speed of the fastest impact";
+  impact.y.label = "approach speed [m/s]";
+  impact.series.front().label = "fastest impact";
+  for (const Wear& one : all) {
+    energy.series.front().samples.push_back({one.omega, 1e3 * one.energy});
+    impact.series.front().samples.push_back({one.omega, one.impact});
+  }
+  results.add(std::move(energy));
+  results.add(std::move(impact));
 }
 
 /// The machine that starts on its motion in the long run at that speed, with a window of two turns;
@@ -75,105 +178,97 @@ Scene in_the_long_run(const Scene& scene, const QuietSpeed& found, double omega)
   return scene;
 }
 
-Json rows_of(const std::vector<report::Sample>& samples) {
-  return report::list_of(samples, [](const report::Sample& sample) {
-    return Json{{"at", sample.position}, {"x", sample.value}};
-  });
-}
-
-/// One run at a speed, with its counted events.
-Json path_data(const Scene& scene, double omega, const char* side, const char* speed) {
-  const Scene there = at_speed(scene, omega);
+/// One run at a speed, with its counted events, as a part of the page.
+void add_path(const Scene& scene, const QuietSpeed& found, double omega, const char* id,
+              const char* speed, Results& results) {
+  const Scene there = at_speed(in_the_long_run(scene, found, omega), omega);
   const Recording recording = record(there, 0, 2000);
-  Json zoom;
-  if (const auto part = path_zoom(there, recording)) {
-    zoom = {{"from", part->at.lower}, {"to", part->at.upper},   {"bottom", part->x.lower},
-            {"top", part->x.upper},   {"walls", Json::array()}, {"path", rows_of(part->path)}};
-    for (const double wall : {there.wall_lower / millimetre, there.wall_upper / millimetre}) {
-      if (wall >= part->x.lower && wall <= part->x.upper) zoom["walls"].push_back({{"x", wall}});
-    }
+  Results own;
+  own.set("what-counts", counted_label(there));
+  own.set("count", recording.count);
+  report::Chart path =
+      path_chart(there, recording, "path",
+                 fmt::format("{} collisions at {:.3f} rad/s", recording.count, omega));
+  path.width = 900;
+  own.add(std::move(path));
+  if (const auto zoom = path_zoom(there, recording)) {
+    report::Chart part = zoom_chart(there, recording, *zoom, "zoom");
+    part.width = 900;
+    own.add(std::move(part));
   }
-  return {{"side", side},
-          {"speed", speed},
-          {"omega", omega},
-          {"count", recording.count},
-          {"axis", path_axis(there).label},
-          {"lower_wall", there.wall_lower / millimetre},
-          {"upper_wall",
-           std::isfinite(there.wall_upper) ? Json(there.wall_upper / millimetre) : Json()},
-          {"zoom", std::move(zoom)},
-          {"path", rows_of(path_samples(there, recording))},
-          {"what_counts", counted_label(there)},
-          {"counted", rows_of(counted_samples(there, recording))}};
+  results.add("paths", {id, fmt::format("{:.3f} rad/s, the {}", omega, speed), std::move(own)});
 }
 
-/// The change of each constant that would give a tenth more speed.
-Json change_data(const std::vector<Sensitivity>& all) {
-  Json rows = Json::array();
-  for (const Sensitivity& s : all) {
-    if (std::abs(s.percent) < 0.05) continue;  // would have to change more than twofold
-    rows.push_back({{"key", s.key},
-                    {"percent", s.percent},
-                    {"for_a_tenth", std::expm1(std::log(1.1) / s.percent)}});
-  }
-  return rows;
+std::optional<std::string> if_any(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
-Json compute(const AdviceOptions& options) {
+Results results_of(const AdviceOptions& options) {
   QuietSpeedAnswer answer = answer_quiet_speed(options.name, options.scene, options.quiet_speed,
                                                options.tolerance, options.source);
-  const auto in_time = [&](const char* part, const auto& part_of_page) -> Json {
+  const QuietSpeed& found = answer.answer;
+  Results results;
+  const auto in_time = [&](const char* part, const auto& add) {
     try {
-      return part_of_page();
+      add();
     } catch (const TimeLimitReached&) {
       answer.left_out.emplace_back(part);
-      return {};
     }
   };
-  const QuietSpeed& found = answer.answer;
-  Json data;
-  data["name"] = options.name;
-  data["divide"] = found.split.speed;
-  data["fastest"] = found.options.fastest;
-  data["doubts"] = doubts_about(options.scene);
-  double most = 0;
-  data["staircase"] = Json::array();
-  for (const report::Sample& sample : staircase_samples(found)) {
-    data["staircase"].push_back({{"speed", sample.position}, {"count", sample.value}});
-    most = std::max(most, *sample.value);
-  }
-  data["most"] = 1 + 1.1 * most;
-  data["when"] = found.is_of_the_long_run() ? "a turn, in the long run" : "in the window";
-  data["wear"] = found.is_of_the_long_run() ? wear_data(found.regimes) : in_time("wear", [&] {
-    return wear_data(options.scene, found.options.fastest);
-  });
-  data["regime_rows"] = regime_rows(found.regimes);
-  data["irregular"] = !found.reached && is_irregular(options.scene, found);
-  data["changes"] = change_data(answer.sensitivities);
-  data["explorer"] = in_time("variants of the machine",
-                             [&] { return json_of(design_parameter_grid(options.scene, found)); });
-  data["model"] = in_time("planar model", [&] { return model_choice(options.scene, found); });
-  data["paths"] = Json::array();
+  std::vector<Wear> wear = wear_of(found.regimes);
+  if (!found.is_of_the_long_run())
+    in_time("wear", [&] { wear = wear_of(options.scene, found.options.fastest); });
+  std::optional<DesignLines> lines;
+  in_time("variants of the machine", [&] { lines = design_lines(options.scene, found); });
+  std::optional<std::string> model;
+  in_time("planar model", [&] { model = sentence_of(model_choice(options.scene, found)); });
+  results.set("name", options.name);
+  results.set("answer", headline_of(answer));
+  results.set("missing", answer.is_complete() ? std::nullopt : if_any(known_part_of(answer)));
+  results.set("tolerance", tolerance_sentence(answer));
+  results.set("uncertainties", uncertainty_sentence(answer));
+  results.set("strongest", strongest_of(answer));
+  results.set("planar", model);
+  results.set("fastest-quiet", found.fastest_quiet);
+  results.set("divide", answer.sensitivities.empty() ? std::nullopt : found.split.speed);
+  results.set("irregular", !found.reached && is_irregular(options.scene, found)
+                               ? std::optional("At some speeds the motion does not repeat: a "
+                                               "variant would take seconds, so none is computed.")
+                               : std::nullopt);
+  results.set("long-run",
+              found.is_of_the_long_run() ? std::optional(summary_of(found.regimes)) : std::nullopt);
+  const std::optional<Step> main_step = found.staircase.main_step();
+  results.set("main-step", main_step ? std::optional(main_step->omega) : std::nullopt);
+  results.add(lines_table("doubts", doubts_about(options.scene)));
+  results.add(lines_table("notes", lines_of(notes_on(options.scene, answer.start))));
+  results.add(change_table(answer.sensitivities));
+  add_design(lines, results);
+  results.add(regime_table(found.regimes));
+  results.add(step_table(found.staircase.steps));
+  results.add(level_table(found.staircase.levels));
+  results.add(around_table(found.around));
+  results.add(staircase_chart(found,
+                              found.is_of_the_long_run() ? "Collisions a turn, in the long run"
+                                                         : "Collisions in the window",
+                              {{found.fastest_quiet, "fastest quiet speed"}}));
+  if (!wear.empty()) add_wear(wear, found, results);
   if (found.fastest_quiet) {
-    data["paths"].push_back(path_data(in_the_long_run(options.scene, found, *found.fastest_quiet),
-                                      *found.fastest_quiet, "quiet", "fastest quiet speed"));
+    add_path(options.scene, found, *found.fastest_quiet, "quiet", "fastest quiet speed", results);
   }
   if (found.split.first_loud) {
-    const double loud = *found.split.first_loud;
-    data["paths"].push_back(path_data(in_the_long_run(options.scene, found, loud), loud, "loud",
-                                      "first speed that is louder"));
+    add_path(options.scene, found, *found.split.first_loud, "loud", "first speed that is louder",
+             results);
   }
-  data.update(json_of(answer));
-  data["text"] = text_of(answer);
-  data["answer"] = headline_of(answer);
-  data["missing"] = answer.is_complete() ? Json() : Json(known_part_of(answer));
-  return data;
+  std::string text = text_of(answer);
+  text.pop_back();  // its last line's end
+  results.set("text", text);
+  return results;
 }
 
 }  // namespace
 
 Study advice_study(const AdviceOptions& options) {
-  return {"advice", "", [options](bool /*quick*/) { return compute(options); }};
+  return {"advice", "", [options](bool /*quick*/) { return json_of(results_of(options)); }};
 }
 
 }  // namespace ricochet::studies

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "src/studies/dynamics/fidelity.h"
 
@@ -26,6 +27,22 @@ TEST(Levels, AddUpAndNeedTheSecondDirectionWhereFrictionCannotHold) {
     EXPECT_EQ(row.coupled[1], slippery ? row.speeds : 0) << row.id;
     EXPECT_EQ(row.coupled[2], row.speeds) << row.id;
     for (const double seconds : row.seconds) EXPECT_GT(seconds, 0);
+  }
+}
+
+/// Without a pull across nothing couples, so that the planar level counts what hard walls do, with
+/// the friction on their own force.
+TEST(Levels, AreOfThePapersMachines) {
+  using namespace carrier_track;
+  for (const Case& the_case : all_cases()) {
+    Scene scene = level_scene(the_case, 0, 1.5e10);
+    for (double omega = 1; omega <= 18; omega += 1) {
+      const int counted = count_at(scene_of(the_case, default_machine()), omega);
+      scene.fidelity = Fidelity::impact;
+      EXPECT_EQ(count_at(scene, omega), counted) << the_case.id << " at " << omega;
+      scene.fidelity = Fidelity::planar;
+      EXPECT_EQ(count_at(scene, omega), counted) << the_case.id << " at " << omega;
+    }
   }
 }
 

@@ -48,50 +48,64 @@ TEST(QuietRange, OfTheLongRunIsTheBorder) {
   const QuietRange range = quiet_range(scene, {Measure::collisions_per_turn, 2}, {1, 18});
   EXPECT_NEAR(*range.quiet, *quiet_up_to(scene, 2), 1e-9);
   EXPECT_FALSE(range.divide) << "quiet and loud do not mix";
-  EXPECT_FALSE(range.mixed);
   const QuietRange disturbed =
       quiet_range(case_scene("C5"), {Measure::collisions_per_turn, 2}, {1, 18});
   EXPECT_NEAR(*disturbed.quiet, *quiet_up_to(case_scene("C5"), 2), 1e-3 * *disturbed.quiet);
 }
 
-TEST(DesignParameterGrid, HasEveryCombinationInTheOrderOfItsDesignParameters) {
+TEST(DesignLines, HaveEachMachineChangedInOneDesignParameter) {
   const Scene scene = case_scene("C1");
   const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 7}, 1e-2, 18});
-  const auto grid = design_parameter_grid(scene, answer);
-  ASSERT_TRUE(grid);
-  ASSERT_EQ(grid->design_parameters.size(), 4U);
-  EXPECT_EQ(grid->combinations.size(), 5U * 5 * 3 * 3);
-  EXPECT_NEAR(*grid->own.quiet, *answer.fastest_quiet, 0.02);
-  // The second last level of friction, the last of the clearance, all else its own.
-  Scene other = grid->design_parameters[1].turned(scene, grid->levels[1][3]);
-  other = grid->design_parameters[2].turned(other, grid->levels[2][2]);
-  const QuietRange expected = quiet_range(other, *answer.limit, grid->scan);
-  const std::size_t place = ((2 * 5 + 3) * 3 + 2) * 3 + 0;
-  EXPECT_EQ(grid->combinations[place].quiet, expected.quiet);
-  EXPECT_EQ(grid->combinations[place].divide, expected.divide);
-  EXPECT_NE(expected.quiet, grid->own.quiet);
+  const auto lines = design_lines(scene, answer);
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->design_parameters.size(), 4U);
+  EXPECT_NEAR(*lines->own.quiet, *answer.fastest_quiet, 0.02);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const DesignParameter& one = lines->design_parameters[k];
+    ASSERT_EQ(lines->lines[k].size(), DesignLines::points_of_a_line);
+    EXPECT_EQ(lines->lines[k][10].quiet, lines->own.quiet) << one.name;
+    const QuietRange expected =
+        quiet_range(one.turned(scene, one.most), *answer.limit, lines->scan);
+    EXPECT_EQ(lines->lines[k][20].quiet, expected.quiet) << one.name;
+    EXPECT_EQ(lines->lines[k][20].divide, expected.divide) << one.name;
+  }
+  EXPECT_NE(lines->lines[1][20].quiet, lines->own.quiet);
 }
 
-TEST(DesignParameterGrid, SaysFirstWhatBuysMost) {
+TEST(DesignLines, SayFirstWhatGivesMost) {
   const Scene scene = case_scene("C4");
-  const auto grid = design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
-  const report::Json data = json_of(grid);
+  const auto lines = design_lines(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
+  report::Results results;
+  add_design(lines, results);
+  const Table& table = *results.table("design-parameters");
+  ASSERT_EQ(table.rows.size(), 4U);
+  const double own = number_in(*results.value("design-own")).value();
   double before = 1e9;
-  for (const report::Json& line : data["lines"]) {
-    const double best = line["best"]["quiet"];
+  each_row(table, [&](const Row& row) {
+    const double best = row.number("best_quiet");
     EXPECT_LE(best, before);
     before = best;
-    EXPECT_EQ(line["matters"].get<bool>(), best > data["own"]["quiet"].get<double>());
-    EXPECT_NEAR(line["best"]["change"].get<double>(), best / data["own"]["quiet"].get<double>() - 1,
-                1e-4);
-  }
-  EXPECT_EQ(data["lines"][0]["design_parameter"], "friction");
+    EXPECT_NEAR(row.number("best_change"), best / own - 1, 1e-12);
+    EXPECT_GE(best, own);
+    EXPECT_LE(row.number("worst_quiet"), own);
+  });
+  EXPECT_EQ(table[0].text("design_parameter"), "friction");
+  // Twice the friction, as the longest of its line.
+  Scene rougher = scene;
+  rougher.friction *= 2;
+  EXPECT_EQ(table[0].number("best"), rougher.friction);
+  EXPECT_NEAR(table[0].number("best_quiet"), *quiet_up_to(rougher, 2), 1e-6);
+  EXPECT_EQ(results.parts.at("design")[0].id, "friction");
 }
 
-TEST(DesignParameterGrid, IsMissingWhereNothingSaysWhatIsQuiet) {
+TEST(DesignLines, AreMissingWhereNothingSaysWhatIsQuiet) {
   const Scene scene = planar_second_case();
-  EXPECT_TRUE(json_of(design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18})))
-                  .is_null());
+  const auto lines = design_lines(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
+  EXPECT_FALSE(lines);
+  report::Results results;
+  add_design(lines, results);
+  EXPECT_TRUE(results.table("design-parameters")->rows.empty());
+  EXPECT_TRUE(is_missing(*results.value("design")));
 }
 
 }  // namespace

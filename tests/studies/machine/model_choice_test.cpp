@@ -8,11 +8,10 @@ namespace ricochet::studies::advice {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 constexpr Limit seven{Measure::collisions, 7};
 
-Json choice_for(const Scene& scene) {
+ModelChoice choice_for(const Scene& scene) {
   return model_choice(scene, quiet_speed(scene, {seven, 1e-2, 18}));
 }
 
@@ -27,31 +26,30 @@ Scene machine_with_room_across() {
 }
 
 TEST(ModelChoice, IsAlongTheTrackWhereThereIsNoRoomAcross) {
-  const Json choice = choice_for(scene_of(find_case("C1"), default_machine()));
-  EXPECT_FALSE(choice["across"]);
-  EXPECT_FALSE(choice["needed"]);
-  EXPECT_TRUE(choice["planar"].is_null());
+  const ModelChoice choice = choice_for(scene_of(find_case("C1"), default_machine()));
+  EXPECT_FALSE(choice.across);
+  EXPECT_FALSE(choice.needed);
+  EXPECT_FALSE(choice.planar);
 }
 
 TEST(ModelChoice, IsAlongTheTrackWhereFrictionHoldsTheCarrier) {
   Scene scene = machine_with_room_across();
   scene.slider_mass_radius = 0;
-  const Json choice = choice_for(scene);
-  EXPECT_TRUE(choice["across"]);
-  EXPECT_FALSE(choice["needed"]);
+  const ModelChoice choice = choice_for(scene);
+  EXPECT_TRUE(choice.across);
+  EXPECT_FALSE(choice.needed);
 }
 
 TEST(ModelChoice, IsPlanarWhereAPullAcrossBeatsFriction) {
   Scene scene = machine_with_room_across();
   scene.across->pull = 10 * scene.friction * scene.normal_force;
-  const Json choice = choice_for(scene);
-  EXPECT_TRUE(choice["needed"]);
+  const ModelChoice choice = choice_for(scene);
+  EXPECT_TRUE(choice.needed);
   scene.fidelity = Fidelity::planar;
   const QuietSpeed planar = quiet_speed(scene, {seven, 1e-2, 18});
   ASSERT_TRUE(planar.fastest_quiet);
-  EXPECT_NEAR(choice["planar"]["quiet"].get<double>(), *planar.fastest_quiet,
-              0.03 * *planar.fastest_quiet);
-  EXPECT_TRUE(choice["along"]["quiet"].is_number());
+  EXPECT_NEAR(choice.planar.value(), *planar.fastest_quiet, 0.03 * *planar.fastest_quiet);
+  EXPECT_TRUE(choice.along);
 }
 
 }  // namespace

@@ -5,22 +5,11 @@
 #include <system_error>
 #include <utility>
 
-#include "embedded/doc_architecture.h"
-#include "embedded/doc_benchmark_method.h"
-#include "embedded/doc_command_line.h"
-#include "embedded/doc_identify.h"
-#include "embedded/doc_impact_test.h"
-#include "embedded/doc_machine_files.h"
-#include "embedded/doc_other_languages.h"
-#include "embedded/doc_own_solver.h"
-#include "embedded/doc_paper.h"
-#include "embedded/doc_plans_and_clusters.h"
-#include "embedded/doc_reports.h"
-#include "embedded/doc_security.h"
-#include "embedded/doc_threshold_and_regimes.h"
 #include "embedded/docs_template.h"
 #include "embedded/document_template.h"
+#include "embedded/documents.h"
 #include "embedded/look.h"
+#include "embedded/machine_drawing.h"
 #include "embedded/search_script.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
@@ -135,22 +124,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name and text of each file in docs/, in the order of the list.
-constexpr std::pair<const char*, const char*> documents[] = {
-    {"command-line", embedded::doc_command_line},
-    {"machine-files", embedded::doc_machine_files},
-    {"threshold-and-regimes", embedded::doc_threshold_and_regimes},
-    {"identify", embedded::doc_identify},
-    {"own-solver", embedded::doc_own_solver},
-    {"other-languages", embedded::doc_other_languages},
-    {"benchmark-method", embedded::doc_benchmark_method},
-    {"plans-and-clusters", embedded::doc_plans_and_clusters},
-    {"reports", embedded::doc_reports},
-    {"impact-test", embedded::doc_impact_test},
-    {"paper", embedded::doc_paper},
-    {"architecture", embedded::doc_architecture},
-    {"security", embedded::doc_security},
-};
+/// The sketch of the machine, in docs/.
+constexpr const char* drawing = "machine.svg";
 
 /// A text that the search looks through.
 struct SearchEntry {
@@ -173,9 +148,10 @@ class Links {
     if (path.parent_path() == "docs" && path.extension() == ".md") {
       const std::string name = path.stem().string();
       const bool known = std::ranges::any_of(
-          documents, [&](const auto& document) { return document.first == name; });
+          embedded::documents, [&](const auto& document) { return document.first == name; });
       return known ? "../" + name + "/index.html" + anchor : "";
     }
+    if (path == fs::path("docs") / drawing) return std::string("../") + drawing;
     return to_report(path);
   }
 
@@ -205,7 +181,7 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
   Place place{"Data", "Docs and search", docs_folder};
   std::vector<SearchEntry> search;
   Json list = Json::array();
-  for (const auto& [name, markdown] : documents) {
+  for (const auto& [name, markdown] : embedded::documents) {
     const Document document = document_of(markdown, Links(site));
     const std::string title = report::escape_html(document.title);
     Json parts = Json::array();
@@ -231,7 +207,8 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
       folder, {{"index.html",
                 page_of(embedded::docs_template, {{"documents", list},
                                                   {"search", report::json_in_script(data.dump())},
-                                                  {"script", embedded::search_script}})}});
+                                                  {"script", embedded::search_script}})},
+               {drawing, embedded::machine_drawing}});
   return place;
 }
 

@@ -53,6 +53,14 @@ TEST_F(DocsPages, HaveLinksThatLeadSomewhereInTheSite) {
               testing::HasSubstr("href=\"../../reproduction/index.html\""));
 }
 
+TEST_F(DocsPages, HaveTheSketchOfTheMachine) {
+  write_docs_pages(folder_, {});
+  EXPECT_THAT(document_text(folder_ / "docs/machine-files/index.html"),
+              testing::HasSubstr("href=\"../machine.svg\""));
+  EXPECT_EQ(document_text(folder_ / "docs/machine.svg"),
+            document_text(fs::path(RICOCHET_SOURCE) / "docs/machine.svg"));
+}
+
 TEST_F(DocsPages, CanBeSearchedWithTheReports) {
   FoundReport report = made_up("verification", Json::object(), "proof");
   report.headline->finding = "No </script> is wrong.";

@@ -95,7 +95,7 @@ TEST(OwnSolver, IsComparedWithOthers) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const report::Results data = report::results_in(report::data_in(read(folder / "count" / "data.json")));
   std::set<std::string> names;
-  each_row(*data.parts.at("families").at(0).results.table("results"), [&](const Row& result) {
+  each_row(*data.parts.at("families").at(0).results.table("results"), [&](const ricochet::Row& result) {
     names.insert(result.text("solver"));
     EXPECT_EQ(result.number("failed"), 0);
   });

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr double rpm = 30 / std::numbers::pi;  // of 1 rad/s
 
-std::string read(const std::string& file) {
+std::string bytes_of(const std::string& file) {
   std::ifstream stream(fs::path(RICOCHET_SOURCE) / file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -33,7 +33,7 @@ class Cases {
  public:
   Cases()
       : results_(
-            report::results_of(report::data_in(read("reports/reference/reproduction/data.json")))) {
+            report::results_of(report::data_in(bytes_of("reports/reference/reproduction/data.json")))) {
   }
 
   double value(const char* name) const {
@@ -116,7 +116,7 @@ class Document {
 
 /// A part of a file, from one text to another.
 Document part_of(const std::string& file, const std::string& from, const std::string& to) {
-  const std::string all = read(file);
+  const std::string all = bytes_of(file);
   const std::size_t start = all.find(from), end = all.find(to, start);
   if (start == std::string::npos || end == std::string::npos) throw std::logic_error(from);
   return Document(all.substr(start, end - start));

@@ -21,13 +21,11 @@ TEST(SceneTally, TellsWrongCountsThatWereCalledCertainFromOthers) {
   tally.add(comparison(true, 3, 4));
   tally.add(comparison(false, 3, 4));
   tally.add(comparison(false, 3, 3));
-  const report::Json data = tally;
-  EXPECT_EQ(data["name"], "some");
-  EXPECT_EQ(data["scenes"], 4);
-  EXPECT_EQ(data["certain"], 0.5);
-  EXPECT_EQ(data["wrong_certain"], 1);
-  EXPECT_EQ(data["wrong_uncertain"], 1);
-  EXPECT_EQ(data["matched"], 4);  // of those called certain
+  EXPECT_EQ(tally.scenes, 4);
+  EXPECT_EQ(tally.certain, 0.5);
+  EXPECT_EQ(tally.wrong_certain, 1);
+  EXPECT_EQ(tally.wrong_uncertain, 1);
+  EXPECT_EQ(tally.matched, 4);  // of those called certain
 }
 
 TEST(SceneTally, LeavesOutWhatTheOracleBrokeOff) {

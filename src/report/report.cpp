@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/page_calibration.h"
 #include "embedded/page_verification.h"
 #include "embedded/template_advice.h"
-#include "embedded/template_calibration.h"
 #include "embedded/template_comparison.h"
 #include "embedded/template_comparison_failures.h"
 #include "embedded/template_comparison_family.h"
@@ -51,7 +51,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"surrogate", embedded::template_surrogate},
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
-    {"calibration", embedded::template_calibration},
+    {"calibration", embedded::page_calibration},
     {"verification", embedded::page_verification},
     {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},

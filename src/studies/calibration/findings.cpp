@@ -328,22 +328,31 @@ Table searches_of(const Results& results) {
   return table;
 }
 
+Row row_without(const Table& left_out, LeftOut what) {
+  return left_out
+      .find([&](const Row& row) { return row.text("fit") == name_of(names_of(what), what); })
+      .value();
+}
+
+/// How far off the thresholds are that were left out of the fit.
+std::string prediction_of(const Table& left_out) {
+  const auto error = [&](LeftOut what) {
+    return percent(row_without(left_out, what).number("error"));
+  };
+  return fmt::format(
+      "Left out of the fit with its whole machine, a threshold is {:.0f} % off; with all cases of "
+      "its restitution {:.0f} %, of its friction {:.0f} %.",
+      error(LeftOut::machine), error(LeftOut::restitution), error(LeftOut::friction));
+}
+
 /// The answer, for this page and for others.
 std::string finding_of(const Results& results, const Table& left_out) {
-  const auto row_without = [&](LeftOut what) {
-    return *left_out.find(
-        [&](const Row& row) { return row.text("fit") == name_of(names_of(what), what); });
-  };
-  const Row fit = row_without(LeftOut::nothing);
-  const auto error = [&](LeftOut what) { return percent(row_without(what).number("error")); };
+  const Row fit = row_without(left_out, LeftOut::nothing);
   return fmt::format(
-      "{} constants are fitted to the paper's ten thresholds, with a root-mean-square error in log "
-      "speed of {:.1f} % (95 % interval {:.1f} to {:.1f} %). Of a machine that is left out of the "
-      "fit the thresholds are {:.1f} % off, without all cases of its restitution {:.1f} %, without "
-      "all of its friction {:.1f} %.",
+      "{} constants are fitted to the paper's ten thresholds; the root-mean-square error in log "
+      "speed is {:.1f} % (95 % interval {:.1f} to {:.1f} %). {}",
       results.choice().fit.free.size(), percent(fit.number("error")), percent(fit.number("lower")),
-      percent(fit.number("upper")), error(LeftOut::machine), error(LeftOut::restitution),
-      error(LeftOut::friction));
+      percent(fit.number("upper")), prediction_of(left_out));
 }
 
 /// What the curve of the frontier reads where it has as many constants as the choice.
@@ -427,6 +436,7 @@ report::Results findings_of(const Results& results) {
 
   report::Results found;
   found.set("finding", finding_of(results, left_out));
+  found.set("prediction", prediction_of(left_out));
   found.set("interpretation", name_of(choice.fit.interpretation));
   found.set("description", description_of(choice.fit.interpretation));
   found.set("constants", choice.fit.free.size());

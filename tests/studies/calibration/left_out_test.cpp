@@ -52,7 +52,7 @@ TEST(LeftOut, PredictsEveryThresholdByAFitThatDoesNotKnowIt) {
                     ("left_out_" + std::to_string(getpid()) + ".toml");
   std::filesystem::remove(file);
   FitStore store(file);
-  const Search search = some_search(12);
+  const Search search = some_search(6);
   const Fit choice = some_choice();
   const auto all = predictions(choice, search, 2, 0.2, store);
   for (const LeftOut what : all_left_out) {

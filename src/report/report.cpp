@@ -10,7 +10,7 @@
 #include "embedded/page_surrogate.h"
 #include "embedded/page_reproduction.h"
 #include "embedded/page_verification.h"
-#include "embedded/template_calibration.h"
+#include "embedded/page_calibration.h"
 #include "embedded/page_comparison.h"
 #include "embedded/page_comparison_failures.h"
 #include "embedded/page_comparison_family.h"
@@ -49,7 +49,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"surrogate", embedded::page_surrogate},
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
-    {"calibration", embedded::template_calibration},
+    {"calibration", embedded::page_calibration},
     {"verification", embedded::page_verification},
     {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},

@@ -75,15 +75,14 @@ TEST(ReportCommand, NamesEveryDamagedReportOfAFolderAndDrawsTheOthers) {
     std::filesystem::create_directories(folder / report);
     return write(folder / report, "data.json", text).string();
   };
-  const std::string calibration =
-      kept("calibration", "\"prediction_error\":", "\"prediction_eror\":");
+  const std::string calibration = kept("calibration", "\"agreement\":", "\"agrement\":");
   const std::string stress = kept("stress", "{", "");
   kept("verification", "{", "{");
   for (const auto& out : {folder / "out", folder}) {
     const Outcome outcome = call("report " + folder.string() + " --out " + out.string());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: " + calibration + ": "));
-    EXPECT_THAT(outcome.err, HasSubstr("prediction_error"));
+    EXPECT_THAT(outcome.err, HasSubstr("agreement"));
     EXPECT_THAT(outcome.err, HasSubstr("; " + stress + ": must be the data of a report: "));
     EXPECT_THAT(outcome.err, Not(HasSubstr("verification")));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);

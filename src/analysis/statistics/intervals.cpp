@@ -92,4 +92,27 @@ Interval median_interval(const std::vector<double>& sample, double confidence, i
   return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
 }
 
+double root_mean_square(const std::vector<double>& errors) {
+  double squares = 0;
+  for (const double error : errors) squares += error * error;
+  return std::sqrt(squares / static_cast<double>(errors.size()));
+}
+
+Interval root_mean_square_interval(const std::vector<std::vector<double>>& groups,
+                                   double confidence, int resamples, std::uint64_t seed) {
+  Random random(seed);
+  const auto size = static_cast<double>(groups.size());
+  std::vector<double> means;
+  std::vector<double> drawn;
+  for (int k = 0; k < resamples; ++k) {
+    drawn.clear();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const auto& group = groups[static_cast<std::size_t>(size * uniform(random))];
+      drawn.insert(drawn.end(), group.begin(), group.end());
+    }
+    means.push_back(root_mean_square(drawn));
+  }
+  return {quantile(means, (1 - confidence) / 2), quantile(means, (1 + confidence) / 2)};
+}
+
 }  // namespace ricochet

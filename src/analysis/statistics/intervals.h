@@ -61,4 +61,14 @@ double quantile(std::vector<double> sample, double q);
 Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
                          std::uint64_t seed);
 
+/// Square root of the mean of the squares. The sample must not be empty.
+double root_mean_square(const std::vector<double>& errors);
+
+/// Percentile bootstrap interval of the root mean square of errors, from `resamples` samples of as
+/// many groups, drawn whole and with replacement. Errors that are independent are groups of one.
+/// With few groups it is too narrow rather than too wide. Deterministic in `seed`. There must be a
+/// group, and none without an error.
+Interval root_mean_square_interval(const std::vector<std::vector<double>>& groups,
+                                   double confidence, int resamples, std::uint64_t seed);
+
 }  // namespace ricochet

@@ -89,7 +89,6 @@ Appraisal appraise(const Fit& fit, double step) {
         c.scan.counts.front() > quiet_limit(s.quiet_count) ? c.scan.step : fastest_speed;
     const double error = std::log(s.threshold.value_or(end) / *claim.threshold);
     squares += square(error);
-    result.worst_threshold = std::max(result.worst_threshold, std::abs(error));
     result.within += std::abs(error) <= std::log(1.05) ? 1 : 0;
     result.exact_counts += s.quiet_count == *claim.quiet_count ? 1 : 0;
     count_squares += square(std::log(std::max(s.quiet_count, 1) / double(*claim.quiet_count)));

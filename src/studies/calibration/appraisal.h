@@ -33,7 +33,6 @@ struct CaseAppraisal {
 struct Appraisal {
   std::vector<CaseAppraisal> cases;  ///< C1..C12
   double threshold_error = 0;        ///< root mean square of ln(threshold / paper)
-  double worst_threshold = 0;        ///< largest |ln|
   int within = 0;                    ///< thresholds within 5 % of the paper's
   int exact_counts = 0;              ///< quiet counts that equal the paper's
   double purity = 1;                 ///< lowest of C1..C10
@@ -44,8 +43,8 @@ struct Appraisal {
   double criterion = 0;              ///< AICc, see below
 };
 
-RICOCHET_FIELDS(Appraisal, threshold_error, worst_threshold, within, exact_counts, purity,
-                misclassified, loudness, right_examples, quiet_share, criterion);
+RICOCHET_FIELDS(Appraisal, threshold_error, within, exact_counts, purity, misclassified, loudness,
+                right_examples, quiet_share, criterion);
 
 /// Evaluates at speeds `step` [rad/s] apart, up to 18 rad/s.
 ///
@@ -81,6 +80,8 @@ struct Profile {
   double lower, upper;          ///< the nearest values tried at which it has risen
   bool lower_open, upper_open;  ///< no value on that side reached it: the bound limits it
   std::vector<std::pair<double, double>> points;  ///< value and loss, by rising value
+
+  bool is_determined() const { return !lower_open && !upper_open; }
 };
 
 /// Returns the profile of every free parameter. `search.local` fits the others, with

@@ -29,7 +29,9 @@ std::vector<AskedFit> asked_of(const Parameterisation& parameterisation, const S
   for (std::size_t look = 0; look < looks; ++look) {
     asked.push_back({fmt::format("converge, {} evaluations of {}, by {}, seed {}",
                                  evaluations_at(plan, look), plan.evaluations, solver.name, seed),
-                     parameterisation, "", options_of({solver, {}, {}, plan.evaluations, seed}),
+                     parameterisation,
+                     {},
+                     options_of({solver, {}, {}, plan.evaluations, seed}),
                      [](const Fit& fit) { return loss(fit.interpretation, fit.constants); }});
   }
   return asked;

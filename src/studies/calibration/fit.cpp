@@ -1,6 +1,7 @@
 #include "src/studies/calibration/fit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
@@ -28,14 +29,14 @@ using namespace carrier_track;
 
 /// The seed is part of the name, which alone determines the random numbers.
 Problem seeded(const Parameterisation& parameterisation, const Search& search,
-               const std::string& left_out) {
+               const CaseIds& left_out = {}) {
   Problem problem = calibration_problem(parameterisation, left_out);
-  problem.name += fmt::format("-seed-{}{}", search.seed, left_out);
+  problem.name += fmt::format("-seed-{}{}", search.seed, fmt::join(left_out, ""));
   return problem;
 }
 
 Fit fit_of(const Parameterisation& parameterisation, const BestPoint& best,
-           const std::string& left_out) {
+           const CaseIds& left_out = {}) {
   return {parameterisation.interpretation, parameterisation.free,
           constants_at(parameterisation, best.x), best.loss, left_out};
 }
@@ -53,8 +54,7 @@ std::string words_of(Unknown constant) {
   return words;
 }
 
-Fit fit(const Parameterisation& parameterisation, const Search& search,
-        const std::string& left_out) {
+Fit fit(const Parameterisation& parameterisation, const Search& search, const CaseIds& left_out) {
   Problem problem = seeded(parameterisation, search, left_out);
   BestPoint best = start_of(problem);
   improve(problem, search.global, search.evaluations * 2 / 3, best);
@@ -62,18 +62,20 @@ Fit fit(const Parameterisation& parameterisation, const Search& search,
   return fit_of(parameterisation, best, left_out);
 }
 
-Fit polish(const Parameterisation& parameterisation, const Search& search,
-           const std::string& left_out) {
-  Problem problem = seeded(parameterisation, search, left_out);
+Fit polish(const Parameterisation& parameterisation, const Search& search) {
+  Problem problem = seeded(parameterisation, search);
   BestPoint best = start_of(problem);
   polish(problem, search, search.evaluations, best);
-  return fit_of(parameterisation, best, left_out);
+  return fit_of(parameterisation, best);
 }
 
 Fit best_within(std::int64_t evaluations, const RunRecord& record,
                 const Parameterisation& parameterisation, double loss_of_held) {
-  Fit fit{parameterisation.interpretation, parameterisation.free, parameterisation.held,
-          loss_of_held, ""};
+  Fit fit{parameterisation.interpretation,
+          parameterisation.free,
+          parameterisation.held,
+          loss_of_held,
+          {}};
   for (const Improvement& better : record.trace) {
     if (better.evaluations > evaluations) break;
     if (better.true_values.objective >= fit.loss) continue;
@@ -101,7 +103,7 @@ std::vector<Fit> known_or_searched(const FitTask& task, FitStore& store) {
 }  // namespace
 
 FitTask fit_task(const std::string& kind, const carrier_track::Parameterisation& parameterisation,
-                 const Search& search, const std::string& left_out) {
+                 const Search& search, const CaseIds& left_out) {
   AskedFit asked{fmt::format("{} by {}, seed {}", kind, search.global.name, search.seed),
                  parameterisation, left_out, options_of(search), [](const Fit& found) {
                    return carrier_track::loss(found.interpretation, found.constants,
@@ -223,7 +225,7 @@ std::string AskedFit::name() const {
     text += fmt::format(" {}", static_cast<int>(open));
   for (const double value : parameterisation.held) text += fmt::format(" {}", value);
   return fmt::format("{}: {}{}{}, from {}", kind, name_of(parameterisation.interpretation),
-                     left_out.empty() ? "" : " without ", left_out, hash_of(text));
+                     left_out.empty() ? "" : " without ", fmt::join(left_out, ", "), hash_of(text));
 }
 
 std::string options_of(const Search& search) {
@@ -266,7 +268,7 @@ FitStore::FitStore(std::filesystem::path file) : file_(std::move(file)) {
   check_head(kept, name);
   for (const KeptFit& fit : kept.fit) {
     fits_[fit.name].insert_or_assign(fit.options,
-                                     Kept{{{}, {}, fit.constants, fit.loss, ""}, true});
+                                     Kept{{{}, {}, fit.constants, fit.loss, {}}, true});
   }
 }
 

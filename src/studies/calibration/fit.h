@@ -31,7 +31,7 @@ struct Fit {
   std::vector<carrier_track::Unknown> free;
   carrier_track::Constants constants;  ///< fitted and fixed
   double loss;
-  std::string left_out;  ///< the case left out of the fit; empty: none
+  carrier_track::CaseIds left_out;  ///< the cases left out of the fit
 };
 
 /// Name of an unknown parameter in words: "centrifugal mass radius".
@@ -41,11 +41,10 @@ std::string words_of(carrier_track::Unknown constant);
 /// the evaluations, the least squares a sixth, the local solver a sixth; returns the best point of
 /// all. The result depends only on search and parameterisation.
 Fit fit(const carrier_track::Parameterisation& parameterisation, const Search& search,
-        const std::string& left_out = "");
+        const carrier_track::CaseIds& left_out = {});
 
 /// Only the two local searches, with all the evaluations.
-Fit polish(const carrier_track::Parameterisation& parameterisation, const Search& search,
-           const std::string& left_out = "");
+Fit polish(const carrier_track::Parameterisation& parameterisation, const Search& search);
 
 /// Returns the best point of a run within this number of evaluations as a fit; the values in
 /// `held`, with the given loss, if nothing is better.
@@ -56,7 +55,7 @@ Fit best_within(std::int64_t evaluations, const RunRecord& record,
 struct AskedFit {
   std::string kind;                                  ///< of search, solver and seed
   carrier_track::Parameterisation parameterisation;  ///< free parameters, and start of the search
-  std::string left_out = {};                         ///< the case left out; empty: none
+  carrier_track::CaseIds left_out = {};              ///< the cases left out
   std::string options;                               ///< evaluations, and versions of the solvers
   std::function<double(const Fit&)> loss;            ///< what it minimises
 
@@ -111,7 +110,7 @@ struct FitTask {
 
 /// Returns a task that runs fit().
 FitTask fit_task(const std::string& kind, const carrier_track::Parameterisation& parameterisation,
-                 const Search& search, const std::string& left_out = "");
+                 const Search& search, const carrier_track::CaseIds& left_out = {});
 
 /// Loads or computes all requested fits, in parallel, the longest searches first.
 std::vector<std::vector<Fit>> searched(const std::string& what, const std::vector<FitTask>& tasks,

@@ -148,42 +148,24 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
 
 RankedFit usual_interpretation(const Plan& plan) {
   const FittedInterpretation& usual = default_interpretation();
-  Fit fit{usual.interpretation, usual.free, usual.constants,
-          loss(usual.interpretation, usual.constants), ""};
+  Fit fit{usual.interpretation,
+          usual.free,
+          usual.constants,
+          loss(usual.interpretation, usual.constants),
+          {}};
   Appraisal appraisal = appraise(fit, plan.step);
   return {std::move(fit), std::move(appraisal)};
-}
-
-/// Returns fits with the free parameters of the choice and one case left out. The search begins at
-/// the choice, so that evaluations are not the limit, and covers the whole of the bounds.
-std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
-  std::vector<FitTask> tasks;
-  std::vector<Prediction> predictions;
-  const Parameterisation parameterisation{choice.interpretation, choice.free, choice.constants};
-  for (const Case& c : all_cases()) {
-    if (!c.claim.threshold) continue;
-    tasks.push_back(fit_task("left out", parameterisation,
-                             with_evaluations(plan.search, plan.left_out_evaluations), c.id));
-    predictions.push_back({c.id, *c.claim.threshold, std::nullopt});
-  }
-  const std::vector<Fit> fits = fits_by("leaving one case out", tasks, store);
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const Appraisal appraisal = appraise(fits[i], plan.step);
-    for (const CaseAppraisal& c : appraisal.cases) {
-      if (c.the_case.id == predictions[i].case_id) predictions[i].predicted = c.score.threshold;
-    }
-  }
-  return predictions;
 }
 
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, 0.01, core_interpretations()};
+  return {with_evaluations(search, 2400), 12000, 1600, 2400, 1, 100, 2, 0.01,
+          core_interpretations()};
 }
 
 Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, 0.1, core_interpretations()};
+  return {with_evaluations(search, 30), 60, 12, 12, 1, 6, 2, 0.1, core_interpretations()};
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
@@ -212,7 +194,9 @@ Results calibrate(const Plan& plan, FitStore& store) {
   }
   results.usual = usual_interpretation(plan);
   const Fit& choice = results.choice().fit;
-  results.predictions = predictions_of(choice, plan, store);
+  results.predictions =
+      predictions(choice, with_evaluations(plan.search, plan.left_out_evaluations),
+                  plan.left_out_searches, plan.step, store);
   results.sensitivities = sensitivities(choice, plan.step);
   results.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
   return results;
@@ -224,14 +208,6 @@ const RankedFit& Results::choice() const {
              converged.begin(), converged.end(),
              [](const auto& a, const auto& b) { return lower_criterion(a.front(), b.front()); })
       ->front();
-}
-
-double prediction_error(const std::vector<Prediction>& predictions) {
-  double squares = 0;
-  for (const Prediction& p : predictions) {
-    squares += std::pow(p.predicted ? std::log(*p.predicted / p.paper) : std::log(2.0), 2);
-  }
-  return std::sqrt(squares / static_cast<double>(predictions.size()));
 }
 
 namespace {

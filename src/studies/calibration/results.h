@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "src/report/json.h"
 #include "src/studies/calibration/appraisal.h"
 #include "src/studies/calibration/convergence.h"
 #include "src/studies/calibration/fit.h"
+#include "src/studies/calibration/left_out.h"
 
 namespace ricochet::studies::calibration {
 
@@ -15,7 +15,8 @@ struct Plan {
   Search search;                          ///< of each interpretation
   std::int64_t finalist_evaluations = 0;  ///< for each of the best interpretations, in addition
   std::int64_t pin_evaluations = 0;       ///< for each attempt to fix one more parameter
-  std::int64_t left_out_evaluations = 0;  ///< for each fit with one case left out
+  std::int64_t left_out_evaluations = 0;  ///< of each search without some cases
+  int left_out_searches = 1;              ///< for each group of cases that is left out
   std::int64_t profile_evaluations = 0;   ///< at each point of a profile
   std::size_t fewest_constants = 2;       ///< where the frontier ends
   double step = 0;                        ///< [rad/s] between the speeds of an evaluation
@@ -41,13 +42,6 @@ Plan quick_plan(const Search& search);
 struct RankedFit {
   Fit fit;
   Appraisal appraisal;
-};
-
-/// The threshold of a case, from a fit with this case left out.
-struct Prediction {
-  std::string case_id;
-  double paper;                     ///< [rad/s]
-  std::optional<double> predicted;  ///< [rad/s]
 };
 
 struct Results {
@@ -76,11 +70,6 @@ struct Results {
 /// Computes everything that is missing in the store. The results depend only on the plan, not on
 /// the order of the fits.
 Results calibrate(const Plan& plan, FitStore& store);
-
-/// Root mean square of ln(predicted / paper); a missing prediction counts as ln 2.
-double prediction_error(const std::vector<Prediction>& predictions);
-
-report::Json data_of(const Results& results);
 
 /// Runs the searches of Plan::convergence for
 /// - the parameters chosen by the frontier,

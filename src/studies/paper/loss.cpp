@@ -179,10 +179,14 @@ struct ClaimedCell {
   SpeedCell cell;
 };
 
-std::vector<ClaimedCell> claimed_cells() {
+bool is_in(const CaseIds& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+std::vector<ClaimedCell> claimed_cells(const CaseIds& left_out) {
   std::vector<ClaimedCell> cells;
   for (const Case& a_case : all_cases()) {
-    if (!a_case.claim.threshold) continue;
+    if (!a_case.claim.threshold || is_in(left_out, a_case.id)) continue;
     for (const SpeedCell& cell : speed_cells(*a_case.claim.threshold)) {
       cells.push_back({a_case, cell});
     }
@@ -323,28 +327,32 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int fine
 }
 
 double loss(const Interpretation& interpretation, const Constants& constants,
-            const std::string& left_out) {
+            const CaseIds& left_out) {
   return loss(counts_by(interpretation, constants), left_out);
 }
 
-double loss(const CountsOf& counts_of, const std::string& left_out) {
+double loss(const CountsOf& counts_of, const CaseIds& left_out) {
+  const bool has_c11 = !is_in(left_out, "C11");
   double sum = 0;
   int quiet_of_c4 = 1;
   for (const Case& a_case : all_cases()) {
     if (!a_case.claim.threshold) continue;
-    if (a_case.id == left_out && a_case.id != "C4") continue;
+    const bool is_out = is_in(left_out, a_case.id);
+    const bool judges_c11 = a_case.id == "C4" && has_c11;
+    if (is_out && !judges_c11) continue;
     const CoarseScore s = coarse_score(counts_of, a_case);
-    if (a_case.id != left_out) sum += loss_of(s, a_case.claim);
-    if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
+    if (!is_out) sum += loss_of(s, a_case.claim);
+    if (judges_c11) quiet_of_c4 = std::max(s.quiet_count, 1);
   }
-  return sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4);
+  return has_c11 ? sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4) : sum;
 }
 
 SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
-                       const std::vector<Unknown>& free, double smoothing) {
+                       const std::vector<Unknown>& free, double smoothing,
+                       const CaseIds& left_out) {
   const bool differentiable = interpretation.recovery != Recovery::contact_speed &&
                               interpretation.transition == Transition::plain;
-  const std::vector<ClaimedCell> cells = claimed_cells();
+  const std::vector<ClaimedCell> cells = claimed_cells(left_out);
   const std::vector<double> counts = surrogates(interpretation, constants, smoothing, cells);
   const auto columns = static_cast<Eigen::Index>(free.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
@@ -419,7 +427,7 @@ Vector point_of(const Parameterisation& parameterisation, const Constants& const
   return x;
 }
 
-Problem calibration_problem(const Parameterisation& parameterisation, const std::string& left_out) {
+Problem calibration_problem(const Parameterisation& parameterisation, const CaseIds& left_out) {
   const auto n = static_cast<Eigen::Index>(parameterisation.free.size());
   Problem problem;
   problem.name = fmt::format("calibration-{}", name_of(parameterisation.interpretation));
@@ -436,10 +444,10 @@ Problem calibration_problem(const Parameterisation& parameterisation, const std:
     return Values{
         loss(parameterisation.interpretation, constants_at(parameterisation, x), left_out), {}};
   };
-  problem.residuals = [parameterisation](const Vector& x) {
+  problem.residuals = [parameterisation, left_out](const Vector& x) {
     SmoothLoss smooth =
         smooth_loss(parameterisation.interpretation, constants_at(parameterisation, x),
-                    parameterisation.free, default_smoothing);
+                    parameterisation.free, default_smoothing, left_out);
     for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       smooth.slopes.col(column) *= stretch(bounds_of(parameterisation.free[i]), x[column]);

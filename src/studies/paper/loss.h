@@ -72,15 +72,19 @@ double quiet_share_of_c11(const CountsOf& counts, int quiet);
 double quiet_share_of_c11(const Interpretation& interpretation, const Constants& constants,
                           int quiet);
 
+/// Ids of cases, of C1..C11.
+using CaseIds = std::vector<std::string>;
+
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, which according to the paper
-/// is never quiet, has a count that is quiet in C4. A case may be left out.
-double loss(const CountsOf& counts, const std::string& left_out = "");
+/// is never quiet, has a count that is quiet in C4. Cases may be left out.
+double loss(const CountsOf& counts, const CaseIds& left_out = {});
 double loss(const Interpretation& interpretation, const Constants& constants,
-            const std::string& left_out = "");
+            const CaseIds& left_out = {});
 
 /// The smooth loss, for least squares: with surrogate counts s of `smoothing` instead of counts,
 /// ln((s + 0.5) / (quiet + 0.5)) at every cell below the paper's threshold and max(0, ln(1.6 quiet
-/// / (s + 0.5))) above, each times the square root of its cell's share of its side.
+/// / (s + 0.5))) above, each times the square root of its cell's share of its side. Cases may be
+/// left out.
 struct SmoothLoss {
   Vector residuals;
   Matrix slopes;  ///< residuals x free, with respect to the parameters themselves
@@ -89,7 +93,8 @@ struct SmoothLoss {
 /// Exact derivatives, except that the columns of the window, the crossing and the contact speed are
 /// 0: they are not differentiable everywhere, or their model has no derivatives.
 SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
-                       const std::vector<Unknown>& free, double smoothing);
+                       const std::vector<Unknown>& free, double smoothing,
+                       const CaseIds& left_out = {});
 
 /// The free parameters of a fit; `held` has their start values and the values of the fixed ones.
 struct Parameterisation {
@@ -108,8 +113,7 @@ Parameterisation forgotten(const Interpretation& interpretation, const std::vect
 /// The problem of fitting the unknown parameters: minimise the loss over the free ones, each as its
 /// place within its bounds, in [0, 1]. Its residuals are those of the smooth loss of
 /// `default_smoothing`; its true objective is the loss. It starts from the values in `held`.
-Problem calibration_problem(const Parameterisation& parameterisation,
-                            const std::string& left_out = "");
+Problem calibration_problem(const Parameterisation& parameterisation, const CaseIds& left_out = {});
 
 /// The calibration of an interpretation: the parameters that were fitted start at their natural
 /// values, the others are fixed as in the interpretation.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/binomial.hpp>
+#include <cmath>
 #include <limits>
 
 #include "ricochet/random.h"
@@ -59,6 +60,23 @@ TEST(Bootstrap, GivesTheSameIntervalForTheSameSeed) {
   const Interval b = median_interval(sample, 0.95, 100, 1);
   EXPECT_EQ(a.lower, b.lower);
   EXPECT_EQ(a.upper, b.upper);
+}
+
+TEST(Bootstrap, OfARootMeanSquareHasTheQuantilesOfAllResamples) {
+  // Of two errors 0 and 1 a sample has none, one or two of the second: 1/4, 1/2, 1/4.
+  const std::vector<std::vector<double>> errors = {{0}, {-1}};
+  EXPECT_DOUBLE_EQ(root_mean_square({3, -4}), std::sqrt(12.5));
+  const Interval half = root_mean_square_interval(errors, 0.4, 10000, 1);
+  EXPECT_DOUBLE_EQ(half.lower, std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(half.upper, std::sqrt(0.5));
+  const Interval all = root_mean_square_interval(errors, 0.95, 10000, 1);
+  EXPECT_EQ(all.lower, 0);
+  EXPECT_EQ(all.upper, 1);
+  // Errors of a group come together: a quarter of the samples has only the first group.
+  const Interval grouped = root_mean_square_interval({{0, 0}, {2, 2}}, 0.4, 10000, 1);
+  EXPECT_DOUBLE_EQ(grouped.lower, std::sqrt(2));
+  const Interval uneven = root_mean_square_interval({{0, 0, 0}, {2}}, 0.4, 10000, 1);
+  EXPECT_DOUBLE_EQ(uneven.lower, 1);
 }
 
 }  // namespace

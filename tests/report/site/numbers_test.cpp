@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -122,6 +124,46 @@ TEST(Numbers, OfEveryPageStandInTheDataBesideIt) {
     ++pages;
   }
   EXPECT_GT(pages, 15);
+}
+
+/// The text with one blank for each run of blanks and ends of lines.
+std::string on_one_line(const std::string& text) {
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+/// Occurrences of a percentage without what has to follow it.
+int bare(const std::string& text, const std::string& percentage, const std::string& follows) {
+  int count = 0;
+  for (auto at = text.find(percentage); at != std::string::npos;
+       at = text.find(percentage, at + 1)) {
+    const bool is_end_of_another =
+        at > 0 &&
+        (std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 || text[at - 1] == '.');
+    const bool has = text.compare(at + percentage.size(), follows.size(), follows) == 0;
+    count += is_end_of_another || has ? 0 : 1;
+  }
+  return count;
+}
+
+TEST(Numbers, OfTheFitInTheDocumentsAreThoseOfTheReference) {
+  const fs::path source = RICOCHET_SOURCE;
+  const report::Results results =
+      report::results_of(report::data_in(read(source / "reports/reference/calibration/data.json")));
+  const Table& table = *results.table("left-out");
+  const Row fit =
+      table.find([](const Row& row) { return row.text("fit") == "in the fit"; }).value();
+  const auto percent = [&](const char* column) { return 100 * fit.number(column); };
+  const std::string error = fmt::format("{:.0f} %", percent("error"));
+  const std::string interval =
+      fmt::format(" (95 % interval {:.1f} to {:.1f} %)", percent("lower"), percent("upper"));
+  for (const char* file : {"README.md", "docs/paper.md"}) {
+    const std::string text = on_one_line(read(source / file));
+    EXPECT_NE(text.find(error + interval), std::string::npos) << file;
+    EXPECT_EQ(bare(text, error, interval), 0) << file << ": " << error << " without its interval";
+    EXPECT_NE(text.find(std::get<std::string>(*results.value("prediction"))), std::string::npos)
+        << file;
+  }
+  EXPECT_EQ(bare("16 % 0.6 % 6 % (a) 6 % b", "6 %", " (a)"), 1);
 }
 
 TEST(Numbers, ThatAreNotInTheDataAreFound) {

@@ -20,7 +20,7 @@ Convergence told_convergence(const std::vector<std::vector<double>>& losses) {
     LongSearch& search = one.searches.emplace_back();
     search.solver = "told";
     for (const double loss : looks) {
-      search.fits.push_back({Interpretation{}, {}, natural_constants(), loss, ""});
+      search.fits.push_back({Interpretation{}, {}, natural_constants(), loss, {}});
     }
   }
   return one;

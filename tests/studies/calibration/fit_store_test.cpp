@@ -30,13 +30,18 @@ std::filesystem::path fresh_file() {
 
 /// Its loss is that of some_fit().
 AskedFit some_asked() {
-  return {"fit by one, seed 1", some_parameterisation(), "C2", "30 evaluations",
-          [](const Fit& fit) { return fit.constants[0] + 1.0 / 3; }};
+  return {
+      "fit by one, seed 1", some_parameterisation(), {"C2"}, "30 evaluations", [](const Fit& fit) {
+        return fit.constants[0] + 1.0 / 3;
+      }};
 }
 
 Fit some_fit() {
-  Fit fit{some_parameterisation().interpretation, some_parameterisation().free,
-          some_parameterisation().held, 0, "C2"};
+  Fit fit{some_parameterisation().interpretation,
+          some_parameterisation().free,
+          some_parameterisation().held,
+          0,
+          {"C2"}};
   fit.constants[0] = 1.0 / 7;
   fit.loss = 1.0 / 7 + 1.0 / 3;
   return fit;
@@ -84,7 +89,7 @@ TEST(FitStore, FindsWhatItWasGivenBitForBitAlsoAfterwards) {
   EXPECT_EQ(found->loss, some_fit().loss);
   EXPECT_EQ(found->free, some_fit().free);
   EXPECT_EQ(found->interpretation, some_fit().interpretation);
-  EXPECT_EQ(found->left_out, "C2");
+  EXPECT_EQ(found->left_out, CaseIds{"C2"});
 }
 
 TEST(FitStore, RefusesAFileOfSomethingElse) {
@@ -119,7 +124,7 @@ TEST(FitStore, RefusesAFileThatIsCutShort) {
   const auto file = file_with_a_fit();
   FitStore(file).add({some_asked()}, {some_fit()});
   AskedFit another = some_asked();
-  another.left_out = "C3";
+  another.left_out = {"C3"};
   FitStore(file).add({another}, {some_fit()});
   const std::string whole = text_of(file);
   ASSERT_NO_THROW(FitStore{file});
@@ -171,7 +176,7 @@ TEST(FitStore, HasANameForEverythingThatDecidesButTheOptions) {
   asked.kind = "pin by one, seed 1";
   EXPECT_NE(asked.name(), name);
   asked = some_asked();
-  asked.left_out = "";
+  asked.left_out = {};
   EXPECT_NE(asked.name(), name);
   asked = some_asked();
   asked.parameterisation.held[0] *= 1 + 1e-15;

@@ -27,14 +27,20 @@ std::filesystem::path unwritten_file() {
 FitTask some_task(int seed, std::atomic<int>& made) {
   const carrier_track::Parameterisation parameterisation = some_parameterisation();
   const auto asked = [&](const char* look, double loss) {
-    return AskedFit{std::string(look) + std::to_string(seed), parameterisation, "", "options",
+    return AskedFit{std::string(look) + std::to_string(seed),
+                    parameterisation,
+                    {},
+                    "options",
                     [loss](const Fit&) { return loss; }};
   };
   return {{asked("half", 2 * seed), asked("whole", seed)},
           [&made, parameterisation, seed] {
             ++made;
-            const Fit fit{parameterisation.interpretation, parameterisation.free,
-                          parameterisation.held, 2.0 * seed, ""};
+            const Fit fit{parameterisation.interpretation,
+                          parameterisation.free,
+                          parameterisation.held,
+                          2.0 * seed,
+                          {}};
             Fit better = fit;
             better.loss = seed;
             return std::vector{fit, better};
@@ -62,19 +68,19 @@ TEST(FitTask, IsMadeOnceAndThenFetched) {
 
 TEST(FitTask, OfASearchTellsItsOptionsAndItsLoss) {
   const Search search = some_search(4);
-  const FitTask task = fit_task("fit", some_parameterisation(), search, "C3");
+  const FitTask task = fit_task("fit", some_parameterisation(), search, {"C3"});
   ASSERT_EQ(task.asked.size(), 1U);
   EXPECT_EQ(task.asked[0].options, options_of(search));
   const Fit found = task.search().at(0);
   EXPECT_EQ(task.asked[0].loss(found), found.loss);
-  EXPECT_EQ(found.constants, fit(some_parameterisation(), search, "C3").constants);
+  EXPECT_EQ(found.constants, fit(some_parameterisation(), search, {"C3"}).constants);
   Search other = search;
   other.seed = 2;
-  EXPECT_NE(fit_task("fit", some_parameterisation(), other, "C3").asked[0].name(),
+  EXPECT_NE(fit_task("fit", some_parameterisation(), other, {"C3"}).asked[0].name(),
             task.asked[0].name());
   other = search;
   other.local.version = "another";
-  EXPECT_NE(fit_task("fit", some_parameterisation(), other, "C3").asked[0].options,
+  EXPECT_NE(fit_task("fit", some_parameterisation(), other, {"C3"}).asked[0].options,
             task.asked[0].options);
 }
 

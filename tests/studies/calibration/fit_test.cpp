@@ -44,9 +44,9 @@ TEST(Fit, PolishesWithoutSearching) {
 }
 
 TEST(Fit, DoesNotSeeTheCaseLeftOut) {
-  const Fit found = fit(some_parameterisation(), some_search(6), "C3");
-  EXPECT_EQ(found.left_out, "C3");
-  EXPECT_DOUBLE_EQ(found.loss, loss(found.interpretation, found.constants, "C3"));
+  const Fit found = fit(some_parameterisation(), some_search(6), {"C3"});
+  EXPECT_EQ(found.left_out, CaseIds{"C3"});
+  EXPECT_DOUBLE_EQ(found.loss, loss(found.interpretation, found.constants, {"C3"}));
 }
 
 }  // namespace

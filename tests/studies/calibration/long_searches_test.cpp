@@ -13,7 +13,7 @@ namespace {
 using namespace carrier_track;
 
 RankedFit natural_fit(const Interpretation& interpretation) {
-  return {{interpretation, unknowns_of(interpretation), natural_constants(), 50, ""}, {}};
+  return {{interpretation, unknowns_of(interpretation), natural_constants(), 50, {}}, {}};
 }
 
 /// Of a tiny plan, with these interpretations ranked.

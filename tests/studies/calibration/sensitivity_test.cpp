@@ -17,7 +17,7 @@ TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
            Unknown::clearance, Unknown::counting_limit},
           fitted.constants,
           0,
-          ""};
+          {}};
   fit.constants[static_cast<std::size_t>(Unknown::start_velocity)] = 0;
   for (const CaseSensitivity& row : sensitivities(fit, 0.05)) {
     ASSERT_EQ(row.slopes.size(), 5U);
@@ -29,8 +29,11 @@ TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
 }
 
 TEST(Sensitivity, ProfilesAroundTheFit) {
-  Fit fit{some_parameterisation().interpretation, some_parameterisation().free,
-          some_parameterisation().held, 0, ""};
+  Fit fit{some_parameterisation().interpretation,
+          some_parameterisation().free,
+          some_parameterisation().held,
+          0,
+          {}};
   fit.loss = calibration_problem(some_parameterisation())
                  .evaluate(calibration_problem(some_parameterisation()).start)
                  .objective;

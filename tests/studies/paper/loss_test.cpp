@@ -110,8 +110,29 @@ TEST(Loss, OfALeftOutCaseIsTheRest) {
   for (const char* id : {"C3", "C4"}) {
     const Case c = find_case(id);
     const double its = loss_of(coarse_score(fitted.interpretation, fitted.constants, c), c.claim);
-    EXPECT_NEAR(loss(fitted.interpretation, fitted.constants, id), all - its, 1e-9) << id;
+    EXPECT_NEAR(loss(fitted.interpretation, fitted.constants, {id}), all - its, 1e-9) << id;
   }
+}
+
+TEST(Loss, OfALeftOutMachineHasNothingOfIt) {
+  const FittedInterpretation& fitted = default_interpretation();
+  double expected = loss(fitted.interpretation, fitted.constants);
+  int quiet = 0;
+  for (const char* id : {"C4", "C8"}) {
+    const Case c = find_case(id);
+    const CoarseScore s = coarse_score(fitted.interpretation, fitted.constants, c);
+    expected -= loss_of(s, c.claim);
+    if (c.id == "C4") quiet = s.quiet_count;
+  }
+  expected -= 4 * quiet_share_of_c11(fitted.interpretation, fitted.constants, quiet);
+  EXPECT_NEAR(loss(fitted.interpretation, fitted.constants, {"C4", "C8", "C11"}), expected, 1e-9);
+  const auto squares = [&](const CaseIds& left_out) {
+    return smooth_loss(fitted.interpretation, fitted.constants, {}, default_smoothing, left_out)
+        .residuals.squaredNorm();
+  };
+  const CaseIds others = {"C1", "C2", "C3", "C5", "C6", "C7", "C9", "C10"};
+  EXPECT_NEAR(squares({"C4", "C8"}) + squares(others), squares({}), 1e-9);
+  EXPECT_GT(squares(others), 0.1);
 }
 
 TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
@@ -155,7 +176,7 @@ TEST(Loss, IsTheSameOfCountsFromElsewhere) {
     return all;
   };
   EXPECT_EQ(loss(counts), loss(fitted.interpretation, fitted.constants));
-  EXPECT_EQ(loss(counts, "C2"), loss(fitted.interpretation, fitted.constants, "C2"));
+  EXPECT_EQ(loss(counts, {"C2"}), loss(fitted.interpretation, fitted.constants, {"C2"}));
   const CountsOf silence = [](const Case&, const std::vector<double>& speeds) {
     return std::vector<int>(speeds.size(), 0);
   };

@@ -50,7 +50,7 @@ TEST(CellLinks, LieOverTheCells) {
 }
 
 TEST(CellLinks, MustFitTheChart) {
-  const Chart chart = chart_of(Part(linked_map), {&two_solvers});
+  const Chart chart = chart_of(TemplatePart(linked_map), {&two_solvers});
   EXPECT_THROW(cell_links_data(chart, {{"view#a"}, {"&b", "&c"}}), std::invalid_argument);
   EXPECT_THROW(cell_links_data(chart, {{"view", "view"}, {"&b", "&c"}}), std::invalid_argument)
       << "no state of the view";

@@ -7,16 +7,16 @@
 namespace ricochet::report {
 namespace {
 
-struct Part {
+struct Piece {
   double number;
   std::vector<double> numbers = {};
 };
-RICOCHET_FIELDS(Part, number, numbers);
+RICOCHET_FIELDS(Piece, number, numbers);
 
 struct Whole {
   std::string case_;
   std::optional<int> count;
-  std::vector<Part> parts;
+  std::vector<Piece> parts;
 };
 RICOCHET_FIELDS(Whole, case_, count, parts);
 

@@ -218,10 +218,11 @@ std::optional<report::Headline> headline_of(const report::PageSource& page, cons
       const auto found = page.keys.find(name);
       return found == page.keys.end() ? "" : report::filled_line(found->second, results);
     };
-    report::Headline headline{.version = report::headline_version,
-                              .title = report::title_of(page, results),
-                              .finding = key("finding"),
-                              .command = key("made_by")};
+    report::Headline headline{};
+    headline.version = report::headline_version;
+    headline.title = report::title_of(page, results);
+    headline.finding = key("finding");
+    headline.command = key("made_by");
     if (!page.keys.contains("command")) {
       headline.group = key("group");
       headline.label = key("label");

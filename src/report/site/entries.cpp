@@ -52,7 +52,7 @@ std::optional<report::Headline> headline_of(const report::PageSource& page, cons
       const auto found = page.keys.find(name);
       return found == page.keys.end() ? "" : report::filled_line(found->second, results);
     };
-    report::Headline headline;
+    report::Headline headline{};
     headline.version = report::headline_version;
     headline.title = report::title_of(page, results);
     headline.finding = key("finding");

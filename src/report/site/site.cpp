@@ -127,13 +127,13 @@ namespace fs = std::filesystem;
 /// The sketch of the machine, in docs/.
 constexpr const char* drawing = "machine.svg";
 
-/// A text that the search looks through.
+/// What the search looks through: a heading of a page, and the text below it.
 struct SearchEntry {
-  std::string title, heading;
-  std::string page;  ///< seen from the page of the search
+  std::string page, heading;
+  std::string address;  ///< of the heading, seen from the page of the search
   std::string text;
 };
-RICOCHET_FIELDS(SearchEntry, title, heading, page, text);
+RICOCHET_FIELDS(SearchEntry, page, heading, address, text);
 
 /// Leads links of a document in docs/NAME to pages of the site.
 class Links {
@@ -186,8 +186,8 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
     const std::string title = report::escape_html(document.title);
     Json parts = Json::array();
     for (const DocumentPart& part : document.parts) {
-      const std::string page = std::string(name) + "/index.html#" + part.anchor;
-      search.push_back({document.title, part.heading, page, part.text});
+      search.push_back({document.title, part.heading,
+                        std::string(name) + "/index.html#" + part.anchor, part.text});
       parts.push_back({{"heading", report::escape_html(part.heading)}, {"anchor", part.anchor}});
     }
     report::replace_files(

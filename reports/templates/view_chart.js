@@ -1,6 +1,6 @@
 // Step curves over a logarithmic axis, as large as their place on the page, in the colours of the other charts.
 
-const viewColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#555555"], viewDashes = ["", "8 3", "2 3"];
+const viewColours = ["#0072b2", "#d55e00", "#00a56a", "#7b2475", "#dd6ba0", "#6b4f00", "#606060"], viewDashes = ["", "8 3", "2 3"];
 const lookOf = (i) => ({stroke: viewColours[i % viewColours.length], "stroke-dasharray": viewDashes[Math.floor(i / viewColours.length) % viewDashes.length]});
 
 const short = (x, digits = 3) => Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : "–";

@@ -19,6 +19,7 @@
 #include "src/app/scene_choice.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
+#include "src/report/text.h"
 
 namespace ricochet::cli {
 
@@ -33,9 +34,9 @@ using studies::comparison::FamilyAgreement;
 
 std::string family_in_words(const FamilyAgreement& one) {
   return fmt::format(
-      "{}: {} and {} problems; {}; the first of the one ({}{}) {} in the other, "
+      "{}: {} and {}; {}; the first of the one ({}{}) {} in the other, "
       "whose first is {}\n",
-      one.family, one.problems, one.other_problems, agreement_in_words(one.agreement), one.leader,
+      one.family, one.problems, report::counted(one.other_problems, "problem"), agreement_in_words(one.agreement), one.leader,
       one.best ? fmt::format(", P(best) {:.2f}", *one.best) : "",
       one.place ? fmt::format("has place {}", *one.place) : "is not ranked", one.other_leader);
 }
@@ -76,8 +77,8 @@ void print(const EntryChanges& changes) {
     fmt::print("no entry has runs on the same instances with the same budget in both\n");
   }
   if (!changes.other_problems.empty()) {
-    fmt::print("{} problems are left out, since their hashes differ\n",
-               changes.other_problems.size());
+    fmt::print("left out, since their hashes differ: {}\n",
+               report::counted(changes.other_problems.size(), "problem"));
   }
 }
 

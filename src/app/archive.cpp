@@ -21,6 +21,7 @@
 #include "src/core/names.h"
 #include "src/core/progress.h"
 #include "src/experiment/archived_campaign.h"
+#include "src/report/text.h"
 
 namespace ricochet::cli {
 
@@ -93,8 +94,9 @@ int submit(const SubmitOptions& options) {
       {"verified", note}};
   if (!options.citation.empty()) notes["citation"] = text_in(options.citation);
   write_archive(store, options.out, wanted, notes);
-  fmt::print("{} runs of {}: {}, {:.2f} MB\nverified: {}\n", runs, fmt::join(patterns, ", "),
-             options.out, static_cast<double>(fs::file_size(options.out)) / 1e6, note);
+  fmt::print("{} of {}: {}, {:.2f} MB\nverified: {}\n", report::counted(runs, "run"),
+             fmt::join(patterns, ", "), options.out,
+             static_cast<double>(fs::file_size(options.out)) / 1e6, note);
   return 0;
 }
 

@@ -30,6 +30,7 @@
 #include "src/experiment/archived_campaign.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/worker.h"
+#include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
@@ -199,7 +200,9 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
   }();
   const auto& [campaign, store] = stored;
   if (existed || !options.from.empty()) Progress::announce(in_words(size_of(campaign)));
-  if (store.size() > 0) Progress::announce(fmt::format("{} runs are there already", store.size()));
+  if (store.size() > 0)
+    Progress::announce(fmt::format("{} {} there already", report::counted(store.size(), "run"),
+                                   store.size() == 1 ? "is" : "are"));
   if (options.serve.empty() && store.size() == campaign.runs()) return stored;
   const AtInterruption kept([] {}, how_to_go_on);
   if (options.serve.empty()) {
@@ -212,15 +215,6 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
 }
 
 using report::Json;
-
-namespace {
-
-/// "1 run", "2 runs".
-std::string counted(std::int64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
-}
-
-}  // namespace
 
 std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.2g} s", std::max(seconds, 0.1));
@@ -250,17 +244,18 @@ Json size_of(const Campaign& campaign) {
 std::string in_words(const Json& size) {
   const auto to_search = size["to_search"].get<int>();
   return fmt::format(
-      "{} of {} on {}, at most {:.3g} evaluations{}", counted(size["runs"], "run"),
-      counted(size["solvers"], "solver"), counted(size["problems"], "problem"),
+      "{} of {} on {}, at most {:.3g} evaluations{}", report::counted(size["runs"], "run"),
+      report::counted(size["solvers"], "solver"), report::counted(size["problems"], "problem"),
       size["evaluations"].get<double>(),
-      to_search > 0 ? fmt::format("; {} to be searched first", counted(to_search, "best value"))
-                    : "");
+      to_search > 0
+          ? fmt::format("; {} to be searched first", report::counted(to_search, "best value"))
+          : "");
 }
 
 std::string in_words(const Forecast& forecast, int cores) {
   const double seconds = forecast.seconds(cores);
-  return fmt::format("{} {} on {} core{}", forecast.at_least ? "at least" : "about",
-                     seconds < 1 ? "a second" : duration(seconds), cores, cores == 1 ? "" : "s");
+  return fmt::format("{} {} on {}", forecast.at_least ? "at least" : "about",
+                     seconds < 1 ? "a second" : duration(seconds), report::counted(cores, "core"));
 }
 
 FinishedCampaign finished_campaign(const Store& store) {

@@ -16,6 +16,7 @@
 #include "src/identification/knock_fit.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/text.h"
 
 namespace ricochet::cli {
 namespace {
@@ -105,8 +106,9 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
            const std::string& solver) {
   const KnockRecord& record = loss.record();
   const KnockUnknowns found = unknowns_at(machine.fit.x);
-  fmt::print("{}: fitted to {} knocks in {:.4g} s, {} strengths, the plate's angle {}\n", name,
-             record.knocks.size(), record.duration(), record.has_strengths() ? "with" : "without",
+  fmt::print("{}: fitted to {} in {:.4g} s, {} strengths, the plate's angle {}\n", name,
+             report::counted(record.knocks.size(), "knock"), record.duration(),
+             record.has_strengths() ? "with" : "without",
              record.plate ? "known from marks" : "unknown");
   const bool trusted = is_trusted(machine);
   for (const std::string& sentence : machine.contradictions) fmt::print("{}\n", sentence);
@@ -141,7 +143,8 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
         100 * machine.next->deviation);
   }
   fmt::print("Held as in the file: {}.\n", fmt::join(held_fixed, ", "));
-  fmt::print("Solver {}: {} simulations of the record.\n", solver, machine.fit.evaluations);
+  fmt::print("Solver {}: {} of the record.\n", solver,
+             report::counted(machine.fit.evaluations, "simulation"));
 }
 
 void refuse_same_files(const IdentifyOptions& options) {

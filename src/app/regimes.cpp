@@ -18,6 +18,7 @@
 #include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/text.h"
 #include "src/studies/machine/charts.h"
 #include "src/studies/machine/regime_tables.h"
 
@@ -249,11 +250,11 @@ std::string line_of(const Basin& basin, int starts) {
 void print(const std::string& name, double omega, const Basins& found,
            const RegimesOptions& options) {
   fmt::print(
-      "{} at {:.4g} rad/s: {} starts lead to {} motion{}.\n"
+      "{} at {:.4g} rad/s: {} starts lead to {}.\n"
       "Starts are uniform: up to {:.4g} mm above the lower wall, velocity up to {:.4g} mm/s either "
       "way, any phase; seed {}.\n",
-      name, omega, found.starts, found.basins.size(), found.basins.size() == 1 ? "" : "s",
-      1e3 * found.height, 1e3 * found.fastest, options.sampled.seed);
+      name, omega, found.starts, report::counted(found.basins.size(), "motion"), 1e3 * found.height,
+      1e3 * found.fastest, options.sampled.seed);
   fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "starts", "share", "95 % interval",
              "collisions", "period", "energy", "fastest", "rest");
   fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "", "", "", "a turn", "turns",

@@ -120,8 +120,8 @@ struct SiteOptions {
 int write_site(const SiteOptions& options) {
   const site::Publication written = site::publish_site(options.from, options.out);
   const auto page = (std::filesystem::absolute(options.out) / "index.html").lexically_normal();
-  fmt::print("The site: {}\n{} pages, {:.1f} MB\n", one_line(page.string()), written.pages,
-             static_cast<double>(written.bytes) / 1e6);
+  fmt::print("The site: {}\n{}, {:.1f} MB\n", one_line(page.string()),
+             report::counted(written.pages, "page"), static_cast<double>(written.bytes) / 1e6);
   if (!written.failures.empty()) {
     throw InputError(fmt::format("{}", fmt::join(written.failures, "; ")));
   }

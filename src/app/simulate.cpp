@@ -20,6 +20,7 @@
 #include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/text.h"
 #include "src/studies/machine/charts.h"
 
 namespace ricochet::cli {
@@ -52,7 +53,7 @@ Fidelity fidelity_named(const std::string& wanted) {
 
 std::string speed_of(const Scene& scene) {
   if (scene.profile.empty()) return fmt::format("{} rad/s", scene.omega);
-  return fmt::format("a speed profile of {} knots", scene.profile.size());
+  return "a speed profile of " + report::counted(scene.profile.size(), "knot");
 }
 
 Json json_of(const std::optional<Graze>& graze) {
@@ -126,8 +127,8 @@ std::string csv_of(const Recording& recording) {
 report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
   std::vector<report::Chart> charts = {
       studies::path_chart(chosen.scene, recording, "path",
-                          fmt::format("{} at {}: {} collisions", chosen.name,
-                                      speed_of(chosen.scene), recording.count))};
+                          fmt::format("{} at {}: {}", chosen.name, speed_of(chosen.scene),
+                                      report::counted(recording.count, "collision")))};
   if (const auto zoom = studies::path_zoom(chosen.scene, recording)) {
     charts.push_back(studies::zoom_chart(chosen.scene, recording, *zoom, "zoom"));
   }
@@ -184,9 +185,10 @@ std::optional<Anatomy> anatomy_in_time(const Scene& scene, const Recording& reco
 void print(const ChosenScene& chosen, const Recording& recording,
            const std::optional<Anatomy>& anatomy) {
   const Certainty& certainty = recording.certainty;
-  fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
-             speed_of(chosen.scene), recording.count, recording.end.time,
-             certainty.certain ? "certain" : "not certain", recording.surrogate);
+  fmt::print("{} at {}: {} in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
+             speed_of(chosen.scene), report::counted(recording.count, "collision"),
+             recording.end.time, certainty.certain ? "certain" : "not certain",
+             recording.surrogate);
   if (chosen.scene.fidelity == Fidelity::automatic) {
     fmt::print("level of the model that it needs: {}\n",
                name_of(fidelity_names(), recording.fidelity));
@@ -206,8 +208,9 @@ void print(const ChosenScene& chosen, const Recording& recording,
         "which has {:.4g} a turn\n",
         anatomy->of_start, anatomy->of_long_run, anatomy->per_turn);
   }
-  fmt::print("{} impacts, slow ones included; {} maxima of x; those that count come first\n",
-             recording.impacts.size(), recording.peaks.size());
+  fmt::print("{}, slow ones included; {} of x; those that count come first\n",
+             report::counted(recording.impacts.size(), "impact"),
+             report::counted(recording.peaks.size(), "maximum", "maxima"));
   print_features(chosen.scene, recording);
 }
 

@@ -24,6 +24,7 @@
 #include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
@@ -238,7 +239,7 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   fmt::print("{} on {}, formulation {}{}, instance {}: {}.\n", record.solver, record.problem,
              formulation, perturbation == "plain" ? "" : ", " + perturbation, record.instance,
              verdict.solved
-                 ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
+                 ? "solved after " + report::counted(*verdict.evaluations_to_solve, "evaluation")
              : !problem.best_known ? "not scored, as no best value is known"
              : verdict.feasible    ? "not solved"
                                    : "nothing feasible found");
@@ -266,16 +267,17 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
                in_words(point));
     if (point != x) fmt::print("In the solver's own box: {}.\n", in_words(x));
   }
-  fmt::print("{} evaluations, {:.3g} ms of processor time, ", record.ledger.charged,
-             1e3 * record.ledger.seconds);
+  fmt::print("{}, {} of processor time, ", report::counted(record.ledger.charged, "evaluation"),
+             report::seconds_text(record.ledger.seconds));
   if (record.terminations.empty()) {
     fmt::print("no start ended");
   } else {
-    fmt::print("{} starts:", record.terminations.size());
+    fmt::print("{}:", report::counted(record.terminations.size(), "start"));
   }
   std::map<std::string, int> terminations;
   for (const SolverTermination& exit : record.terminations) ++terminations[exit.reason];
-  for (const auto& [reason, times] : terminations) fmt::print(" {} times \"{}\"", times, reason);
+  for (const auto& [reason, times] : terminations)
+    fmt::print(" {} \"{}\"", report::counted(times, "time"), reason);
   fmt::print(".\n");
 }
 

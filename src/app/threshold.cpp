@@ -112,9 +112,10 @@ void print_paper_rule(const ChosenScene& chosen, const Score& score, const ScanO
   } else {
     fmt::print("every speed up to {} rad/s is quiet.\n", options.highest);
   }
-  fmt::print("Quiet means at most {} collisions in the window: 1.5 times the usual {}{}.\n",
-             std::floor(quiet_limit(score.quiet_count)), score.quiet_count,
-             chosen.claim.threshold ? " below the paper's threshold" : "");
+  fmt::print(
+      "Quiet means at most {} in the window: 1.5 times the usual {}{}.\n",
+      report::counted(static_cast<std::int64_t>(quiet_limit(score.quiet_count)), "collision"),
+      score.quiet_count, chosen.claim.threshold ? " below the paper's threshold" : "");
   if (score.threshold) {
     fmt::print(
         "Quiet and loud divide best at {:.4f} rad/s; {:.2f} % of the speeds up to {} rad/s "

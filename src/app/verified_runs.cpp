@@ -27,6 +27,7 @@
 #include "src/experiment/stored_campaign.h"
 #include "src/experiment/worker.h"
 #include "src/report/json.h"
+#include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
@@ -311,7 +312,7 @@ int merge_stores(const MergeOptions& options) {
   const std::string note = verified(
       parts, [](const RunKey&) { return true; }, options.verification);
   const std::map<std::string, std::string> made = {
-      {"joined", fmt::format("{} stores", parts.size())}, {"verified", note}};
+      {"joined", report::counted(parts.size(), "store")}, {"verified", note}};
   merge({parts.begin(), parts.end()}, out, united, made);
   const Store store = Store::open(out, Store::For::reading);
   const auto completeness = told_completeness(store, out);
@@ -360,14 +361,14 @@ int replay(const ReplayOptions& options) {
   if (options.json) {
     fmt::print("{}\n", data.dump(2));
   } else {
-    fmt::print(
-        "{}\n{}\n",
-        one_line(fmt::format(
-            "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {} evaluations{}.",
-            cell.solver, cell.problem, cell.formulation, cell.perturbation, key.instance, key.run,
-            again.ledger.charged, again.failure.empty() ? "" : "; " + again.failure)),
-        differs.empty() ? "The same, to the last bit."
-                        : "NOT the same as stored: it differs in " + differs + ".");
+    fmt::print("{}\n{}\n",
+               one_line(fmt::format(
+                   "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {}{}.",
+                   cell.solver, cell.problem, cell.formulation, cell.perturbation, key.instance,
+                   key.run, report::counted(again.ledger.charged, "evaluation"),
+                   again.failure.empty() ? "" : "; " + again.failure)),
+               differs.empty() ? "The same, to the last bit."
+                               : "NOT the same as stored: it differs in " + differs + ".");
   }
   return differs.empty() ? 0 : 1;
 }
@@ -400,7 +401,7 @@ std::optional<Completeness> told_completeness(const Store& store, const std::str
 }
 
 std::string counted_runs(const Store& store, const std::optional<Completeness>& completeness) {
-  if (!completeness || completeness->missing() == 0) return fmt::format("{} runs", store.size());
+  if (!completeness || completeness->missing() == 0) return report::counted(store.size(), "run");
   return fmt::format("{} of {} planned runs", completeness->present, completeness->planned);
 }
 

@@ -149,103 +149,69 @@ std::string field(double position, const Axis& axis) {
   return place < axis.categories.size() ? csv_field(axis.categories[place]) : field(position);
 }
 
-std::string cells_as_csv(const Chart& chart) {
+using CsvRows = std::vector<std::vector<std::string>>;  // the first has the names of the columns
+
+CsvRows rows_of_cells(const Chart& chart) {
   const auto named = [](const std::string& label, const char* usual) {
     return csv_field(label.empty() ? usual : label);
   };
-  std::string text =
-      fmt::format("{},{},{}\n", named(chart.y.label, "row"), named(chart.x.label, "column"),
-                  named(chart.heat_map->label, "value"));
-  const auto& rows = chart.heat_map->rows;
-  for (std::size_t row = rows.size(); row-- > 0;) {  // from the top
-    for (std::size_t column = 0; column < rows[row].size(); ++column) {
-      text += fmt::format("{},{},{}\n", csv_field(chart.y.categories[row]),
-                          csv_field(chart.x.categories[column]), field(rows[row][column]));
-    }
-  }
-  return text;
+  CsvRows rows = {{named(chart.y.label, "row"), named(chart.x.label, "column"),
+                   named(chart.heat_map->label, "value")}};
+  for (std::size_t y = chart.heat_map->rows.size(); y-- > 0;)  // from the top
+    for (std::size_t x = 0; x < chart.heat_map->rows[y].size(); ++x)
+      rows.push_back({csv_field(chart.y.categories[y]), csv_field(chart.x.categories[x]),
+                      field(chart.heat_map->rows[y][x])});
+  return rows;
 }
 
-/// Rows of series, areas and lines, all with the same columns.
-class Rows {
- public:
-  explicit Rows(const Chart& chart) : chart_(chart) {
-    for (const Series& series : chart.series) {
-      spreads_ |=
-          std::ranges::any_of(series.samples, [](const Sample& s) { return s.spread.has_value(); });
-      names_ |=
-          std::ranges::any_of(series.samples, [](const Sample& s) { return !s.name.empty(); });
-    }
-    spreads_ |= !chart.areas.empty();
+CsvRows rows_of_series(const Chart& chart) {
+  CsvRows rows = {
+      {"series", csv_field(chart.x.label), csv_field(chart.y.label), "lower", "upper", "name"}};
+  const auto add = [&](const std::string& series, const std::string& x, const std::string& y,
+                       const std::optional<Range>& spread, const std::string& name) {
+    rows.push_back({csv_field(series), x, y, spread ? field(spread->lower) : "",
+                    spread ? field(spread->upper) : "", csv_field(name)});
+  };
+  for (const Series& series : chart.series)
+    for (const Sample& sample : series.samples)
+      add(series.label, field(sample.position, chart.x), field(sample.value), sample.spread,
+          sample.name);
+  for (const Area& area : chart.areas)
+    for (const auto& part : area.parts)
+      for (const Area::Edge& edge : part)
+        add(area.label.empty() ? area.name : area.label, field(edge.position, chart.x), "",
+            edge.between, "");
+  for (const ReferenceLine& line : chart.lines) {
+    const bool vertical = line.direction == Direction::vertical;
+    add(line.label, vertical ? field(line.position, chart.x) : "",
+        vertical ? "" : field(line.position), {}, "");
   }
-
-  std::string csv() {
-    text_ = fmt::format("series,{},{}{}{}\n", csv_field(chart_.x.label), csv_field(chart_.y.label),
-                        spreads_ ? ",lower,upper" : "", names_ ? ",name" : "");
-    for (const Series& series : chart_.series) {
-      for (const Sample& sample : series.samples) {
-        add(series.label, field(sample.position, chart_.x), field(sample.value), sample.spread,
-            sample.name);
-      }
-    }
-    for (const Area& area : chart_.areas) {
-      for (const auto& part : area.parts) {
-        for (const Area::Edge& edge : part) {
-          add(area.label.empty() ? area.name : area.label, field(edge.position, chart_.x), "",
-              edge.between, "");
-        }
-      }
-    }
-    for (const ReferenceLine& line : chart_.lines) {
-      const bool vertical = line.direction == Direction::vertical;
-      add(line.label, vertical ? field(line.position, chart_.x) : "",
-          vertical ? "" : field(line.position), {}, "");
-    }
-    return std::move(text_);
-  }
-
- private:
-  void add(const std::string& series, const std::string& x, const std::string& y,
-           const std::optional<Range>& spread, const std::string& name) {
-    text_ += fmt::format("{},{},{}", csv_field(series), x, y);
-    if (spreads_) {
-      text_ += spread ? fmt::format(",{},{}", field(spread->lower), field(spread->upper)) : ",,";
-    }
-    if (names_) text_ += "," + csv_field(name);
-    text_ += "\n";
-  }
-
-  const Chart& chart_;
-  bool spreads_ = false, names_ = false;
-  std::string text_;
-};
+  return rows;
+}
 
 }  // namespace
 
 std::string csv_of(const Chart& chart) {
-  return chart.heat_map ? cells_as_csv(chart) : Rows(chart).csv();
-}
-
-namespace {
-
-constexpr std::size_t most_that_fit = 3;
-
-std::string css_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
+  CsvRows rows = chart.heat_map ? rows_of_cells(chart) : rows_of_series(chart);
+  for (std::size_t k = rows[0].size(); k-- > 3;) {
+    const bool empty =
+        std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[k].empty(); });
+    for (auto& row : rows)
+      if (empty) row.erase(row.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  return quoted + "\"";
+  std::string text;
+  for (const auto& row : rows) text += fmt::format("{}\n", fmt::join(row, ","));
+  return text;
 }
-
-}  // namespace
 
 std::string column_labels(const std::vector<std::string>& titles) {
+  constexpr std::size_t most_that_fit = 3;
   std::string style;
-  if (titles.size() <= most_that_fit) return style;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    style += fmt::format("--{}:{};", i + 1, css_text(titles[i]));
+  for (std::size_t i = 0; i < titles.size() && titles.size() > most_that_fit; ++i) {
+    std::string quoted;
+    for (const char c : titles[i])
+      quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    style += fmt::format("--{}:\"{}\";", i + 1, quoted);
   }
   return style;
 }

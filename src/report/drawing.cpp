@@ -234,14 +234,9 @@ void require_none(const std::vector<std::string>& failures) {
 }
 
 std::string json_in_script(const std::string& json) {
-  std::string text;
-  for (const char c : json) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
+  std::string text = json;
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c");
   return text;
 }
 

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
+#include "src/report/painted.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -15,26 +17,38 @@ namespace ricochet::report {
 namespace {
 
 constexpr double least_width = 60, least_height = 30;  // of the plot, pixels
-constexpr double text_height = 18;                     // of a line
+constexpr double text_height = 18;                     // of a line with the gap above it
 constexpr double tick_room = 9;                        // a tick and the gap up to its label
-constexpr double widest_name = 0.45;                   // of the picture, for a name
-constexpr std::size_t rows_without_names_above = 20;   // of a heat map
+constexpr double row_height = 13;                      // least, of names of y
+constexpr double edge = 4;                             // least gap up to the picture's edge
+constexpr double bold_size = 1.14 * title_size;        // of a plain text that is as wide
+constexpr double widest_side =
+    0.45;  // of the chart's size, beside the plot before the picture grows
+constexpr double longest_name = 420, longest_entry = 220;  // of a tick, of a line in the legend
+constexpr std::size_t rows_without_names_above = 20;       // of a heat map
 const double sine = std::sin(name_angle * std::numbers::pi / 180);
 const double cosine = std::cos(name_angle * std::numbers::pi / 180);
 
 double widest(const std::vector<Tick>& ticks) {
-  int width = 0;
+  double width = 0;
   for (const Tick& tick : ticks) width = std::max(width, text_width(tick.label));
   return width;
 }
 
-bool whole_numbers(const Chart& chart, bool positions) {
-  return !chart.series.empty() && std::ranges::all_of(chart.series, [&](const Series& series) {
-    return std::ranges::all_of(series.samples, [&](const Sample& sample) {
-      const double value = positions ? sample.position : sample.value.value_or(0);
-      return value == std::round(value);
-    });
-  });
+/// About as many ticks as wanted, of positions or of values.
+std::vector<Tick> number_ticks(const Chart& chart, bool positions, const Range& range,
+                               double wanted) {
+  const int number = std::max(2, static_cast<int>(wanted));
+  if ((positions ? chart.x : chart.y).scale == Scale::logarithmic)
+    return logarithmic_ticks(range, number);
+  const bool whole =
+      !chart.series.empty() && std::ranges::all_of(chart.series, [&](const Series& series) {
+        return std::ranges::all_of(series.samples, [&](const Sample& sample) {
+          const double value = positions ? sample.position : sample.value.value_or(0);
+          return value == std::round(value);
+        });
+      });
+  return linear_ticks(range, number, whole);
 }
 
 Range data_limits(const Chart& chart, Direction of_lines) {
@@ -74,6 +88,10 @@ Range colour_limits(const HeatMap& map) {
     const auto [least, most] = std::ranges::minmax(values);
     colours = {least, most};
   }
+  if (colours.lower < 0 && colours.upper > 0) {
+    const double farthest = std::max(-colours.lower, colours.upper);
+    return {-farthest, farthest};
+  }
   return colours.lower < colours.upper ? colours : limits({colours.lower}, Scale::linear);
 }
 
@@ -89,27 +107,102 @@ std::vector<Tick> name_ticks(const std::vector<std::string>& names, double room,
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(needed / slot)));
   std::vector<Tick> ticks;
   for (std::size_t i = 0; i < names.size(); i += stride)
-    ticks.push_back({static_cast<double>(i), names[i]});
+    ticks.push_back({static_cast<double>(i), shortened(names[i], longest_name)});
   return ticks;
 }
 
-std::vector<LegendEntry> legend_of(const Chart& chart, const std::vector<EndLabel>& ends) {
+bool is_seen(const Area& area, const Frame& frame) {
+  const auto meet = [](const Range& a, const Range& b) {
+    return a.lower <= b.upper && b.lower <= a.upper;
+  };
+  return std::ranges::any_of(area.parts, [&](const std::vector<Area::Edge>& part) {
+    return meet({part.front().position, part.back().position}, frame.x) &&
+           std::ranges::any_of(part, [&](const auto& e) { return meet(e.between, frame.y); });
+  });
+}
+
+using Pixels = std::set<std::pair<long, long>>;
+
+/// Where a series is drawn within the plot.
+Pixels pixels_of(const Series& series, const Chart& chart, const Frame& frame) {
+  Pixels drawn;
+  for (const std::vector<Sample>& part : polylines(series)) {
+    Pixel last = place_of(chart, frame, part.front().position, *part.front().value);
+    for (const Sample& sample : part) {
+      const Pixel next = place_of(chart, frame, sample.position, *sample.value);
+      if (series.mark == Mark::points) last = next;
+      const double steps = std::clamp(std::hypot(next.x - last.x, next.y - last.y), 1.0, 1e4);
+      for (double step = 0; step <= steps; ++step) {
+        const double share = step / steps;
+        const Pixel at{last.x + share * (next.x - last.x), last.y + share * (next.y - last.y)};
+        if (frame.plot.holds(at)) drawn.insert({std::lround(at.x), std::lround(at.y)});
+      }
+      last = next;
+    }
+  }
+  return drawn;
+}
+
+/// Whether each pixel is one of the others or beside one.
+bool within(const Pixels& pixels, const Pixels& others) {
+  return std::ranges::all_of(pixels, [&](const auto& pixel) {
+    for (const long across : {0, -1, 1})
+      for (const long down : {0, -1, 1})
+        if (others.contains({pixel.first + across, pixel.second + down})) return true;
+    return false;
+  });
+}
+
+/// A frame of known limits and a plot of about its final size suffices.
+std::vector<LegendEntry> legend_of(const Chart& chart, const Frame& frame) {
   using Of = LegendEntry::Of;
   std::vector<LegendEntry> legend;
   if (chart.heat_map) {
-    if (has_gaps(*chart.heat_map)) legend.push_back({Of::cells_without_value, 0, "no value"});
+    if (has_gaps(*chart.heat_map)) legend.push_back({Of::cells_without_value, {0}, {"no value"}});
     return legend;
   }
+  std::size_t labels = frame.ends.size();  // also of what is not seen
+  const auto add = [&](Of of, std::size_t number, const std::string& label, bool seen) {
+    labels += label.empty() ? 0 : 1;
+    if (!label.empty() && seen) legend.push_back({of, {number}, {label}});
+  };
   for (std::size_t i = 0; i < chart.areas.size(); ++i)
-    if (!chart.areas[i].label.empty()) legend.push_back({Of::area, i, chart.areas[i].label});
-  for (std::size_t i = 0; i < chart.series.size() && ends.empty(); ++i)
-    if (!chart.series[i].label.empty()) legend.push_back({Of::series, i, chart.series[i].label});
+    add(Of::area, i, chart.areas[i].label, is_seen(chart.areas[i], frame));
+  std::vector<std::pair<LegendEntry, Pixels>> drawn;  // with the pixels of the entry's last series
+  for (std::size_t i = 0; i < chart.series.size() && frame.ends.empty(); ++i) {
+    const Series& series = chart.series[i];
+    if (series.label.empty()) continue;
+    ++labels;
+    Pixels own = pixels_of(series, chart, frame);
+    if (own.empty()) continue;
+    const bool points = series.mark == Mark::points;
+    const SeriesLook look = look_of(chart, i);
+    const bool covers = points ? look.marker.filled : look.dash.empty();
+    const auto same = std::ranges::find_if(drawn, [&](const auto& other) {
+      const bool other_points = chart.series[other.first.numbers.back()].mark == Mark::points;
+      return points == other_points && within(other.second, own) &&
+             (covers || within(own, other.second));
+    });
+    if (same == drawn.end()) {
+      drawn.push_back({{Of::series, {i}, {series.label}}, std::move(own)});
+    } else {
+      same->first.numbers.push_back(i);
+      same->first.lines.front() += "; " + series.label;
+      same->second = std::move(own);
+    }
+  }
+  for (auto& [entry, pixels] : drawn) legend.push_back(std::move(entry));
   const std::vector<std::string> lines = line_labels(chart);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (!lines[i].empty()) legend.push_back({Of::line, i, lines[i]});
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    add(Of::line, i, lines[i], std::ranges::any_of(chart.lines, [&](const ReferenceLine& line) {
+          const Range& range = line.direction == Direction::vertical ? frame.x : frame.y;
+          return line.label == lines[i] && range.lower <= line.position &&
+                 line.position <= range.upper;
+        }));
+  }
   // A single entry needs no legend: title and axis name it.
-  if (legend.size() == 1) legend.clear();
-  for (LegendEntry& entry : legend) entry.label = shortened(entry.label, widest_name * chart.width);
+  if (labels == 1) legend.clear();
+  for (LegendEntry& entry : legend) entry.lines = wrapped(entry.lines.front(), longest_entry);
   return legend;
 }
 
@@ -119,145 +212,178 @@ class Layout {
   explicit Layout(const Chart& chart) : chart_(chart) {}
 
   Frame frame() {
-    frame_.width = chart_.width;
-    frame_.height = chart_.height;
-    frame_.title = wrapped(chart_.title, chart_.width - 16, title_size);
+    frame_.title = wrapped(chart_.title, chart_.width - 16, bold_size);
     frame_.plot.top = 26 + title_height * static_cast<double>(frame_.title.size());
     frame_.x = data_limits(chart_, Direction::vertical);
     frame_.y = data_limits(chart_, Direction::horizontal);
     if (chart_.heat_map) frame_.colours = colour_limits(*chart_.heat_map);
-    frame_.x_label = shortened(chart_.x.label, chart_.width - 40);
-    place_y_ticks();
-    // The height without a legend, which end labels replace.
-    const double height = rough_height();
+    x_label_ = wrapped(chart_.x.label, chart_.width - 2 * edge);
+    const double height = std::max(
+        least_height, chart_.height - frame_.plot.top - text_height - label_height(x_label_) - 8);
+    place_y_ticks(height);
+    // The plot without a legend, which end labels replace.
+    frame_.plot.right = std::max(frame_.plot.left + least_width, chart_.width - 18.0);
+    frame_.plot.bottom = frame_.plot.top + height;
     frame_.ends = end_labels(chart_, frame_.x, frame_.y, height);
-    frame_.legend = legend_of(chart_, frame_.ends);
+    frame_.legend = legend_of(chart_, frame_);
     legend_beside_ = frame_.legend.size() > 4;
-    place_sides(need_leaders(frame_.ends, height));
+    place_right_side(need_leaders(frame_.ends, height));
     place_x_ticks();
+    make_room_for_x_ticks();
     place_bottom();
     if (legend_beside_) place_legend_beside();
+    place_labels();
     return std::move(frame_);
   }
 
  private:
-  double rough_height() const {
-    const double label = frame_.x_label.empty() ? 0 : text_height;
-    return std::max(least_height, chart_.height - frame_.plot.top - text_height - label - 8);
+  static double label_height(const std::vector<std::string>& lines) {
+    return lines.empty() ? 0 : 3 + line_height * static_cast<double>(lines.size());
+  }
+  /// What an upright label takes beside the ticks.
+  static double label_width(const std::vector<std::string>& lines) {
+    return lines.empty() ? 6 : 8 + label_height(lines);
   }
 
-  void place_y_ticks() {
-    const double room = rough_height();
-    if (chart_.y.categories.empty()) {
-      const int wanted = std::max(2, static_cast<int>(room / 38));
-      frame_.y_ticks = chart_.y.scale == Scale::logarithmic
-                           ? logarithmic_ticks(frame_.y, wanted)
-                           : linear_ticks(frame_.y, wanted, whole_numbers(chart_, false));
-    } else {
-      frame_.y_ticks = name_ticks(chart_.y.categories, room, 13);
-      for (Tick& tick : frame_.y_ticks)
-        tick.label = shortened(tick.label, widest_name * chart_.width);
-    }
-    if (chart_.heat_map)
-      frame_.colour_ticks =
-          linear_ticks(frame_.colours, std::clamp(static_cast<int>(room / 25), 2, 6), false);
-    frame_.y_label = shortened(chart_.y.label, std::max(room, 0.7 * chart_.height));
-    if (chart_.heat_map) {
-      frame_.colour_label = shortened(chart_.heat_map->label, std::max(room, 0.7 * chart_.height));
-    }
+  void place_y_ticks(double height) {
+    frame_.y_ticks = chart_.y.categories.empty()
+                         ? number_ticks(chart_, false, frame_.y, height / 38)
+                         : name_ticks(chart_.y.categories, height, row_height);
+    const double room = chart_.height - frame_.plot.top;
+    y_label_ = wrapped(chart_.y.label, room);
+    frame_.plot.left = label_width(y_label_) + widest(frame_.y_ticks) + tick_room;
+    if (!chart_.heat_map) return;
+    frame_.colour_ticks =
+        linear_ticks(frame_.colours, std::clamp(static_cast<int>(height / 25), 2, 6), false);
+    colour_label_ = wrapped(chart_.heat_map->label, room);
   }
 
-  void place_sides(bool leaders) {
-    frame_.plot.left = (frame_.y_label.empty() ? 6 : 26) + widest(frame_.y_ticks) + tick_room;
-    double right = 18;
+  void place_right_side(bool leaders) {
+    double right = 18, text = 0;
+    for (const EndLabel& end : frame_.ends) text = std::max(text, text_width(end.text));
+    if (legend_beside_)
+      for (const LegendEntry& entry : frame_.legend)
+        text = std::max(text, report::widest(entry.lines));
     if (chart_.heat_map) {
       right = bar_gap + bar_width + tick_room + widest(frame_.colour_ticks) +
-              (frame_.colour_label.empty() ? 6 : 28);
+              label_width(colour_label_);
     } else if (!frame_.ends.empty()) {
-      double label = 0;
-      for (const EndLabel& end : frame_.ends) label = std::max<double>(label, text_width(end.text));
-      right = label + 14 + (leaders ? leader_width : 0);
+      right = text + 14 + (leaders ? leader_width : 0);
     } else if (legend_beside_) {
-      double label = 0;
-      for (const LegendEntry& entry : frame_.legend)
-        label = std::max<double>(label, text_width(entry.label));
-      right = label + key_width + 28;
+      right = text + key_width + 28;
     }
-    const double width = std::max(least_width, chart_.width - frame_.plot.left - right);
-    frame_.plot.right = frame_.plot.left + width;
-    frame_.width = static_cast<int>(std::ceil(frame_.plot.right + right));
+    Box& plot = frame_.plot;
+    const double most = widest_side * chart_.width;
+    plot.right = plot.left + std::max(least_width, chart_.width - std::min(plot.left, most) -
+                                                       std::min(right, most));
+    frame_.width = static_cast<int>(
+        std::ceil(std::max({plot.right + right, report::widest(frame_.title, bold_size) + 16,
+                            report::widest(x_label_) + 2 * edge})));
   }
 
   void place_x_ticks() {
     const std::vector<std::string>& names = chart_.x.categories;
     if (names.empty()) {
-      const int wanted = std::max(2, static_cast<int>(frame_.plot.width() / 65));
-      frame_.x_ticks = chart_.x.scale == Scale::logarithmic
-                           ? logarithmic_ticks(frame_.x, wanted)
-                           : linear_ticks(frame_.x, wanted, whole_numbers(chart_, true));
+      frame_.x_ticks = number_ticks(chart_, true, frame_.x, frame_.plot.width() / 65);
       return;
     }
     const double slot = frame_.plot.width() / static_cast<double>(names.size());
     const double needed = widest(name_ticks(names, 1e9, 0)) + 8;
     frame_.names_turned = needed > slot && needed > 50;
     frame_.x_ticks = name_ticks(names, frame_.plot.width(), frame_.names_turned ? 16 : needed);
-    if (!frame_.names_turned) return;
-    for (Tick& tick : frame_.x_ticks) {
-      // The first names must end within the picture.
-      const double before = frame_.plot.left + slot * (tick.position + 0.5) - 6;
-      tick.label = shortened(tick.label, std::min(before / cosine, 260.0));
-    }
   }
 
-  /// The room for names of columns above a long heat map.
-  double room_above() const {
-    if (!frame_.names_above) return 0;
-    return frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
+  /// Widens the picture where its first or last ticks would leave it.
+  void make_room_for_x_ticks() {
+    double before = 0, after = 0;
+    for (const Tick& tick : frame_.x_ticks) {
+      const double x = place_of(chart_, frame_, tick.position, frame_.y.lower).x;
+      const double width = text_width(tick.label);
+      before = std::max(before, edge - x + (frame_.names_turned ? cosine * width + 6 : width / 2));
+      if (!frame_.names_turned) after = std::max(after, x + width / 2 + edge - frame_.width);
+    }
+    frame_.plot.left += std::ceil(before);
+    frame_.plot.right += std::ceil(before);
+    frame_.width += static_cast<int>(std::ceil(before) + std::ceil(after));
   }
 
   void place_bottom() {
     frame_.names_above = chart_.heat_map && !chart_.x.categories.empty() &&
                          chart_.y.categories.size() > rows_without_names_above;
-    frame_.plot.top += room_above();
-    double below = frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
-    if (!frame_.x_label.empty()) below += text_height;
-    frame_.below_ticks = below;
-    if (!frame_.legend.empty() && !legend_beside_) below += 4 + place_legend_below();
-    const double height =
-        std::max(least_height, chart_.height + room_above() - frame_.plot.top - below - 8);
+    below_ = frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
+    const double above = frame_.names_above ? below_ : 0;
+    frame_.plot.top += above;
+    double below = below_ + label_height(x_label_);
+    if (!frame_.legend.empty() && !legend_beside_) below += 4 + place_legend_below(below + 4);
+    const double beside = std::min(below, widest_side * chart_.height);
+    const double least = chart_.y.categories.empty()
+                             ? least_height
+                             : row_height * static_cast<double>(frame_.y_ticks.size());
+    const double height = std::max(least, chart_.height + above - frame_.plot.top - beside - 8);
     frame_.plot.bottom = frame_.plot.top + std::floor(height);
-    frame_.height = static_cast<int>(std::ceil(frame_.plot.bottom + below + 8));
+    const double upright = std::max(report::widest(y_label_), report::widest(colour_label_));
+    frame_.height = static_cast<int>(
+        std::ceil(std::max(frame_.plot.bottom + below + 8, frame_.plot.top + upright + edge)));
     for (LegendEntry& entry : frame_.legend) entry.place.y += frame_.plot.bottom;
   }
 
-  /// Places the legend relative to the plot's bottom, which is not known yet. Returns the height of
-  /// all lines.
-  double place_legend_below() {
-    Pixel next{frame_.plot.left, frame_.below_ticks + 4 + text_height};
+  /// Places the legend relative to the plot's bottom, which is not known yet, `below` it. Returns
+  /// the height of all lines.
+  double place_legend_below(double below) {
+    const double left = frame_.plot.left;
+    Pixel next{left, below + text_height};
+    double more = 0;  // of lines in this row
     for (LegendEntry& entry : frame_.legend) {
-      const double width = key_width + 6 + text_width(entry.label);
-      if (next.x > frame_.plot.left && next.x + width > frame_.width) {
-        next = {frame_.plot.left, next.y + text_height};
+      const double width = key_width + 6 + report::widest(entry.lines);
+      if (next.x > left && next.x + width > frame_.width) {
+        next = {left, next.y + more + text_height};
+        more = 0;
       }
       entry.place = next;
       next.x += width + 18;
+      more = std::max(more, label_height(entry.lines) - text_height);
+      frame_.width = std::max(frame_.width, static_cast<int>(std::ceil(left + width + edge)));
     }
-    return next.y - frame_.below_ticks - 4;
+    return next.y + more - below;
   }
 
   void place_legend_beside() {
-    const auto lines = static_cast<double>(frame_.legend.size());
+    double lines = 0;
+    for (const LegendEntry& entry : frame_.legend) lines += static_cast<double>(entry.lines.size());
     const double distance = std::clamp(frame_.plot.height() / lines, 14.0, 20.0);
     double y = frame_.plot.top + 10;
     for (LegendEntry& entry : frame_.legend) {
       entry.place = {frame_.plot.right + 14, y};
-      y += distance;
+      y += distance + label_height(entry.lines) - text_height;
     }
     frame_.height = std::max(frame_.height, static_cast<int>(std::ceil(y - distance + 8)));
   }
 
+  /// In the middle of their axes, as far as they stay within the picture.
+  void place_labels() {
+    const Box& plot = frame_.plot;
+    const auto add = [&](const std::vector<std::string>& lines, double along, double across) {
+      if (lines.empty()) return;
+      const bool upright = &lines != &x_label_;
+      const double half = report::widest(lines) / 2 + edge;
+      const double least = upright ? plot.top - 18 : 0,
+                   most = upright ? frame_.height : frame_.width;
+      const double middle = std::max(std::min(along, most - half), least + half);
+      frame_.labels.push_back(
+          {lines, upright ? Pixel{across, middle} : Pixel{middle, across}, upright});
+    };
+    const double middle = (plot.top + plot.bottom) / 2;
+    add(x_label_, (plot.left + plot.right) / 2, plot.bottom + below_ + text_height);
+    add(y_label_, middle,
+        plot.left - tick_room - widest(frame_.y_ticks) - label_width(y_label_) + text_height);
+    add(colour_label_, middle,
+        plot.right + bar_gap + bar_width + tick_room + widest(frame_.colour_ticks) + text_height);
+  }
+
   const Chart& chart_;
   Frame frame_{};
+  std::vector<std::string> x_label_, y_label_, colour_label_;
+  double below_ = 0;  ///< the plot: the ticks of x
   bool legend_beside_ = false;
 };
 
@@ -370,46 +496,32 @@ std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
 
 namespace {
 
-constexpr double line_height = 14;  // pixels
-constexpr double beside = 4;        // pixels, from a curve's end to a label without a leader line
-constexpr double farthest = 45;     // to a label with a leader line
-constexpr std::size_t most = 6;     // with more labels a legend is easier to read
+constexpr double label_distance = 14;  // pixels
+constexpr double beside = 4;     // pixels, from a curve's end to a label without a leader line
+constexpr double farthest = 45;  // to a label with a leader line
+constexpr std::size_t most = 6;  // with more labels a legend is easier to read
 constexpr double widest_share = 0.45;  // of the chart's width, for the labels
 constexpr double right_end = 0.97;     // of the plot's width: a curve ends at the right
 
-/// Labels at the least distance from each other, centred around where they should be.
-struct Cluster {
-  std::size_t first, last;
-  double sum = 0;  ///< sum of where its labels should be, relative to the lowest place
-
-  double lowest(double distance, double top) const {
-    const auto many = static_cast<double>(last - first + 1);
-    return std::clamp(sum / many, 0.0, std::max(0.0, top - (many - 1) * distance));
-  }
-};
-
-/// Moves sorted labels apart to at least this distance, with the least total displacement.
+/// Moves sorted labels apart to at least this distance, with the least total square of
+/// displacements: less their distance from the first, their places are an isotonic regression, by
+/// its minimax formula.
 void move_apart(std::vector<EndLabel>& labels, double distance) {
-  std::vector<Cluster> clusters;
+  const auto mean = [&](std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t i = from; i <= to; ++i)
+      sum += labels[i].end - distance * static_cast<double>(i);
+    return sum / static_cast<double>(to - from + 1);
+  };
+  const double top = std::max(0.0, 1 - distance * static_cast<double>(labels.size() - 1));
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    clusters.push_back({i, i, labels[i].end});
-    while (clusters.size() > 1) {
-      Cluster& below = clusters[clusters.size() - 2];
-      const Cluster above = clusters.back();
-      const auto many = static_cast<double>(below.last - below.first + 1);
-      const double next = below.lowest(distance, 1) + many * distance;
-      if (above.lowest(distance, 1) >= next) break;
-      const auto added = static_cast<double>(above.last - above.first + 1);
-      below.sum += above.sum - added * many * distance;
-      below.last = above.last;
-      clusters.pop_back();
+    double place = -1e9;
+    for (std::size_t from = 0; from <= i; ++from) {
+      double least = 1e9;
+      for (std::size_t to = i; to < labels.size(); ++to) least = std::min(least, mean(from, to));
+      place = std::max(place, least);
     }
-  }
-  for (const Cluster& cluster : clusters) {
-    for (std::size_t i = cluster.first; i <= cluster.last; ++i) {
-      labels[i].place =
-          cluster.lowest(distance, 1) + static_cast<double>(i - cluster.first) * distance;
-    }
+    labels[i].place = std::clamp(place, 0.0, top) + distance * static_cast<double>(i);
   }
 }
 
@@ -433,7 +545,7 @@ std::vector<EndLabel> end_labels(const Chart& chart, const Range& x, const Range
   if (labels.size() < 2 || labels.size() > most) return {};
   std::stable_sort(labels.begin(), labels.end(),
                    [](const EndLabel& a, const EndLabel& b) { return a.end < b.end; });
-  move_apart(labels, line_height / height);
+  move_apart(labels, label_distance / height);
   for (const EndLabel& label : labels) {
     if (std::abs(label.place - label.end) > farthest / height) return {};
   }
@@ -446,90 +558,58 @@ bool need_leaders(const std::vector<EndLabel>& labels, double height) {
   });
 }
 
-namespace {
-
-constexpr double dot_size = 4;  // half, pixels
-constexpr double half_line = 6.5;
-
-bool meet(const Box& a, const Box& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
-class Names {
- public:
-  Names(const Chart& chart, const Frame& frame) : chart_(chart), frame_(frame) {
+std::vector<PointName> names_of_points(const Chart& chart, const Frame& frame) {
+  static constexpr Pixel directions[] = {{-0.8, -1.2}, {-1, 0},     {0.8, -1.2}, {0.8, 1.2},
+                                         {1, 0},       {-0.8, 1.2}, {0.1, -2.2}, {0.1, 2.2}};
+  constexpr double dot_size = 4, half_line = 6.5;  // half of each, pixels
+  struct Dot {
+    const Sample* sample;
+    Pixel place;
+    bool pale;
+  };
+  std::vector<Dot> dots;
+  std::vector<Box> taken;
+  for (const bool pale : {false, true}) {
     for (const Series& series : chart.series) {
-      if (series.mark != Mark::points) continue;
       for (const Sample& sample : series.samples) {
-        if (!sample.value) continue;
-        const Pixel dot = place_of(chart, frame, sample.position, *sample.value);
-        taken_.push_back({dot.x - dot_size, dot.x + dot_size, dot.y - dot_size, dot.y + dot_size});
+        if (series.mark != Mark::points || series.pale != pale || !sample.value) continue;
+        const Pixel at = place_of(chart, frame, sample.position, *sample.value);
+        dots.push_back({&sample, at, pale});
+        taken.push_back({at.x - dot_size, at.x + dot_size, at.y - dot_size, at.y + dot_size});
       }
     }
   }
-
-  std::vector<PointName> all() {
-    for (const bool pale : {false, true}) {
-      for (const Series& series : chart_.series) {
-        if (series.pale != pale) continue;
-        for (const Sample& sample : series.samples) {
-          if (sample.value && !sample.name.empty()) place(sample, pale);
-        }
-      }
-    }
-    return std::move(placed_);
-  }
-
- private:
-  void place(const Sample& sample, bool pale) {
-    static constexpr std::array<Pixel, 8> directions{{{-0.8, -1.2},
-                                                      {-1, 0},
-                                                      {0.8, -1.2},
-                                                      {0.8, 1.2},
-                                                      {1, 0},
-                                                      {-0.8, 1.2},
-                                                      {0.1, -2.2},
-                                                      {0.1, 2.2}}};
-    const Pixel dot = place_of(chart_, frame_, sample.position, *sample.value);
-    if (!frame_.plot.holds(dot)) return;
-    for (const double distance : {8.0, 16.0, 26.0, 40.0}) {
-      const bool led = distance > 8;
-      if (led && pale) return;
-      for (const Pixel& direction : directions) {
-        const PointName name{
-            sample.name,     dot, {dot.x + distance * direction.x, dot.y + distance * direction.y},
-            direction.x < 0, led, pale};
-        if (take(name)) return;
-      }
-    }
-  }
-
-  /// Keeps the name if there is room for it.
-  bool take(const PointName& name) {
+  /// Takes the room for a name if there is some.
+  const auto take = [&](const PointName& name) {
     const double length = text_width(name.text, 10) + 2;
     const double left = name.to_the_left ? name.place.x - length : name.place.x;
     const Box box{left, left + length, name.place.y - half_line, name.place.y + half_line};
-    const Box& plot = frame_.plot;
+    const Box& plot = frame.plot;
     const bool inside = box.left > plot.left && box.right < plot.right &&
                         box.bottom < plot.bottom && box.top > plot.top - half_line;
-    if (!inside || std::ranges::any_of(taken_, [&](const Box& b) { return meet(b, box); })) {
-      return false;
+    const bool free = inside && std::ranges::none_of(taken, [&](const Box& other) {
+                        return box.left < other.right && other.left < box.right &&
+                               box.top < other.bottom && other.top < box.bottom;
+                      });
+    if (free) taken.push_back(box);
+    return free;
+  };
+  std::vector<PointName> placed;
+  for (const auto& [sample, dot, pale] : dots) {
+    bool open = !sample->name.empty() && frame.plot.holds(dot);
+    for (const double distance : {8.0, 16.0, 26.0, 40.0}) {
+      const bool led = distance > 8;
+      for (const Pixel& side : directions) {
+        if (!open || (led && pale)) break;
+        const PointName name{
+            sample->name, dot, {dot.x + distance * side.x, dot.y + distance * side.y},
+            side.x < 0,   led, pale};
+        open = !take(name);
+        if (!open) placed.push_back(name);
+      }
     }
-    taken_.push_back(box);
-    placed_.push_back(name);
-    return true;
   }
-
-  const Chart& chart_;
-  const Frame& frame_;
-  std::vector<Box> taken_;
-  std::vector<PointName> placed_;
-};
-
-}  // namespace
-
-std::vector<PointName> names_of_points(const Chart& chart, const Frame& frame) {
-  return Names(chart, frame).all();
+  return placed;
 }
 
 }  // namespace ricochet::report

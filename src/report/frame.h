@@ -50,29 +50,39 @@ std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted);
 /// A number as a reader writes it, with up to ten digits: −0.5, 2000000, 3×10⁻⁷.
 std::string number_label(double number);
 
-/// An entry of the legend, of area, series or line number `index`.
+/// An entry of the legend.
 struct LegendEntry {
   enum class Of { area, series, line, cells_without_value } of;
-  std::size_t index;
-  std::string label;
-  Pixel place = {};  ///< of the sample's left end, on the text's base line
+  std::vector<std::size_t> numbers;  ///< one, but of series that cannot be told apart all
+  std::vector<std::string> lines;    ///< of the text
+  Pixel place = {};                  ///< of the sample's left end, on the first line's base line
+};
+
+/// The label of an axis or of colours.
+struct AxisLabel {
+  std::vector<std::string> lines;
+  Pixel place;   ///< of the middle of the first line's base line
+  bool upright;  ///< reads upwards
 };
 
 /// The parts around the data of a chart, and their positions.
 struct Frame {
-  int width, height;  ///< of the picture: the chart's, or the least that the data need
+  int width, height;  ///< of the picture: the chart's, or the least that data and texts need
   Box plot;           ///< the area for the data
   std::vector<std::string> title;
   Range x{0, 1}, y{0, 1}, colours{0, 1};
   std::vector<Tick> x_ticks, y_ticks, colour_ticks;
   bool names_turned = false;  ///< of the ticks of x
   bool names_above = false;   ///< they stand above a heat map, too, so that a long one can be read
-  std::string x_label, y_label, colour_label;
-  double below_ticks = 0;  ///< base line of the label of x
+  std::vector<AxisLabel> labels;
   std::vector<LegendEntry> legend;
   std::vector<EndLabel> ends;
 };
 
+/// Long labels are broken into lines, and the picture grows where texts need room; only names of
+/// positions that would take more than 420 pixels are shortened. In the legend stands what is seen
+/// within the plot; series that lie within a pixel of each other share an entry. Limits of colours
+/// with values on both sides of zero are symmetric.
 Frame frame_of(const Chart& chart);
 
 /// Returns the labels of reference lines, without duplicates.
@@ -83,6 +93,7 @@ Pixel place_of(const Chart& chart, const Frame& frame, double position, double v
 
 inline constexpr int title_size = 14;    ///< pixels
 inline constexpr int title_height = 18;  ///< of a line
+inline constexpr int line_height = 15;   ///< of other texts of several lines
 inline constexpr int key_width = 22;     ///< of a legend's sample
 inline constexpr int bar_gap = 14;       ///< between a heat map and the bar of its colours
 inline constexpr int bar_width = 20;

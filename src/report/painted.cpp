@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,17 @@ namespace {
 constexpr int name_size = 12;    // pixels
 constexpr double name_step = 4;  // between places that are tried, pixels
 constexpr double name_room = 2;  // on each side of a name
+
+Outline rectangle(const Box& box) {
+  return {
+      {{box.left, box.bottom}, {box.right, box.bottom}, {box.right, box.top}, {box.left, box.top}},
+      true};
+}
+
+/// Of the legend.
+Outline key_at(const Pixel& from) {
+  return rectangle({from.x, from.x + key_width, from.y - 5, from.y + 5});
+}
 
 /// Pale enough for lines and names on top.
 Brush brush_of_area(const Area& area, Drawing& drawing) {
@@ -126,11 +138,7 @@ void write_names_of_areas(const Chart& chart, const Frame& frame, Drawing& drawi
 }
 
 void paint_key_of(const Area& area, const Pixel& from, Drawing& drawing) {
-  const Outline key{{{from.x, from.y - 5},
-                     {from.x + key_width, from.y - 5},
-                     {from.x + key_width, from.y + 5},
-                     {from.x, from.y + 5}},
-                    true};
+  const Outline key = key_at(from);
   drawing.paint(brush_of_area(area, drawing), {key});
   drawing.paint({.stroke = "#888888", .width = "0.7"}, {key});
 }
@@ -138,12 +146,6 @@ void paint_key_of(const Area& area, const Pixel& from, Drawing& drawing) {
 namespace {
 
 constexpr int number_size = 10;  // pixels
-
-Outline rectangle(const Box& box) {
-  return {
-      {{box.left, box.bottom}, {box.right, box.bottom}, {box.right, box.top}, {box.left, box.top}},
-      true};
-}
 
 /// Decimals that give the largest value three digits; 0 for whole numbers.
 int decimals_of(const std::vector<double>& values) {
@@ -179,6 +181,10 @@ class Cells {
 
   double share_of(double value) const { return share(value, frame_.colours, Scale::linear); }
 
+  std::string colour_of(double value) const {
+    return palette_colour(share_of(value), frame_.colours.lower < 0 && frame_.colours.upper > 0);
+  }
+
   /// Edges are on whole pixels, so that neighbours leave no gap. Row 0 is the lowest.
   Box box(std::size_t row, std::size_t from, std::size_t to) const {
     const Box& plot = frame_.plot;
@@ -204,7 +210,7 @@ class Cells {
       std::size_t from = 0;
       for (std::size_t column = 0; column <= cells.size(); ++column) {
         const bool known = column < cells.size() && cells[column];
-        const std::string colour = known ? palette_colour(share_of(*cells[column])) : "";
+        const std::string colour = known ? colour_of(*cells[column]) : "";
         if (colour == last) continue;
         if (!last.empty()) painted[last].push_back(rectangle(box(row, from, column)));
         last = colour;
@@ -232,10 +238,12 @@ class Cells {
       for (std::size_t column = 0; column < map_.rows[row].size(); ++column) {
         const auto& value = map_.rows[row][column];
         if (!value) continue;
-        const std::string text = fmt::format("{:.{}f}", *value, decimals);
+        std::string text = fmt::format("{:.{}f}", std::abs(*value), decimals);
+        const bool zero = text.find_first_not_of("0.") == std::string::npos;
+        if (*value < 0 && !zero) text.insert(0, "−");
         // All values or none.
         if (text_width(text, number_size) + 4 > cell.width() || cell.height() < 12) return;
-        writings[text_colour(share_of(*value))].push_back(
+        writings[text_colour(colour_of(*value))].push_back(
             {middle(box(row, column, column + 1)), text});
       }
     }
@@ -246,9 +254,9 @@ class Cells {
   void paint_bar() {
     const Box& plot = frame_.plot;
     const Box bar{plot.right + bar_gap, plot.right + bar_gap + bar_width, plot.top, plot.bottom};
+    const auto [lower, upper] = frame_.colours;
     std::vector<std::string> colours;
-    for (const double place : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
-      colours.push_back(palette_colour(place));
+    for (int i = 0; i <= 10; ++i) colours.push_back(colour_of(lower + (upper - lower) * i / 10));
     drawing_.paint({.fill = drawing_.gradient(colours)}, {rectangle(bar)});
     std::vector<Outline> ticks = {rectangle(bar)};
     std::vector<Writing> labels;
@@ -274,29 +282,22 @@ void paint_cells(const HeatMap& map, const Frame& frame, Drawing& drawing) {
 }
 
 void paint_key_of_gaps(const Pixel& from, Drawing& drawing) {
-  const Box key{from.x, from.x + key_width, from.y - 5, from.y + 5};
-  drawing.paint({.stroke = "#9a9a9a", .fill = drawing.hatching()}, {rectangle(key)});
+  drawing.paint({.stroke = "#9a9a9a", .fill = drawing.hatching()}, {key_at(from)});
 }
 
-SeriesLook series_look(std::size_t n) {
-  static constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                      "#e69f00", "#56b4e9", "#555555"};
+SeriesLook look_of(const Chart& chart, std::size_t series) {
+  static constexpr std::array colours{"#0072b2", "#d55e00", "#00a56a", "#7b2475",
+                                      "#dd6ba0", "#6b4f00", "#606060"};
   static constexpr std::array dashes{"", "8.5,3.4", "1.7,2.5"};
   // Filled and open markers alternate, so that both are visible if two coincide.
   static constexpr std::array markers{
       Marker{0, true},  Marker{4, false}, Marker{3, true},  Marker{5, false}, Marker{4, true},
       Marker{0, false}, Marker{6, true},  Marker{3, false}, Marker{5, true},  Marker{6, false}};
-  return {colours[n % colours.size()], dashes[n % dashes.size()], markers[n % markers.size()]};
-}
-
-SeriesLook dark_look(std::size_t n) {
-  SeriesLook look = series_look(n);
-  look.colour = "#1a1a1a";
-  return look;
-}
-
-SeriesLook pale_look() {
-  return {"#9a9a9a", "", {0, true}};
+  if (chart.series[series].pale) return {"#9a9a9a", "", {0, true}};
+  std::size_t n = series;
+  for (std::size_t i = 0; i < series && !chart.series[series].dark; ++i) n -= chart.series[i].pale;
+  return {chart.series[series].dark ? "#1a1a1a" : colours[n % colours.size()],
+          dashes[n % dashes.size()], markers[n % markers.size()]};
 }
 
 Outline outline_of(const Marker& marker, const Pixel& place, double radius) {
@@ -312,31 +313,46 @@ Outline outline_of(const Marker& marker, const Pixel& place, double radius) {
 
 LineLook line_look(std::size_t n) {
   static const std::array looks{LineLook{"#222222", "4.9,2.8", "1.4"},
-                                LineLook{"#f2b84b", "", "3.5"}, LineLook{"#7b3294", "1.5,3", "2"}};
+                                LineLook{"#bf8600", "", "3.5"}, LineLook{"#7b3294", "1.5,3", "2"}};
   return looks[n % looks.size()];
 }
 
-std::string palette_colour(double share) {
-  // Even steps of lightness, so that it also reads in grey.
-  static constexpr std::array<std::array<int, 3>, 6> colours{{{0x2b, 0x1c, 0x5e},
-                                                              {0x2f, 0x4f, 0x8f},
-                                                              {0x24, 0x80, 0x8c},
-                                                              {0x3f, 0xae, 0x77},
-                                                              {0xa5, 0xcf, 0x4c},
-                                                              {0xf7, 0xe8, 0x5c}}};
-  const auto step = static_cast<int>(std::lround(100 * std::clamp(share, 0.0, 1.0)));
-  const auto below = static_cast<std::size_t>(std::min(step / 20, 4));
-  const int above_it = step - 20 * static_cast<int>(below);
+namespace {
+
+using Colour = std::array<int, 3>;  // red, green and blue, 0 to 255
+
+// Even steps of lightness, so that it also reads in grey.
+constexpr Colour rising[] = {{0x2b, 0x1c, 0x5e}, {0x2f, 0x4f, 0x8f}, {0x24, 0x80, 0x8c},
+                             {0x3f, 0xae, 0x77}, {0xa5, 0xcf, 0x4c}, {0xf7, 0xe8, 0x5c}};
+
+// Even steps in CIELAB on both sides of the middle, from lightness 42 to 97.
+constexpr Colour two_sided[] = {{0x00, 0x68, 0xa3}, {0x5d, 0x89, 0xb8}, {0x93, 0xac, 0xcd},
+                                {0xc5, 0xd1, 0xe2}, {0xf7, 0xf7, 0xf7}, {0xeb, 0xc9, 0xb7},
+                                {0xd9, 0x9d, 0x7b}, {0xc2, 0x71, 0x41}, {0xa6, 0x46, 0x00}};
+
+}  // namespace
+
+std::string palette_colour(double share, bool diverging) {
+  const std::span<const Colour> colours = diverging ? std::span<const Colour>(two_sided) : rising;
+  const double step = std::round(100 * std::clamp(share, 0.0, 1.0)) / 100;
+  const double place = step * static_cast<double>(colours.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), colours.size() - 2);
   std::string text = "#";
   for (std::size_t i = 0; i < 3; ++i) {
     const int from = colours[below][i], to = colours[below + 1][i];
-    text += fmt::format("{:02x}", from + (to - from) * above_it / 20);
+    text += fmt::format("{:02x}",
+                        from + std::lround((to - from) * (place - static_cast<double>(below))));
   }
   return text;
 }
 
-std::string text_colour(double share) {
-  return share < 0.5 ? "#ffffff" : "#111111";
+std::string text_colour(const std::string& colour) {
+  double luminance = 0;  // as WCAG 2.2 defines it
+  for (const auto& [from, weight] : {std::pair{1, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
+    const double part = std::stoi(colour.substr(from, 2), nullptr, 16) / 255.0;
+    luminance += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+  }
+  return luminance < 0.179 ? "#ffffff" : "#000000";  // where both have the same contrast
 }
 
 namespace {

@@ -33,39 +33,36 @@ struct Marker {
   bool filled;
 };
 
-/// Style of the n-th series. Colours after Okabe and Ito (2008), distinguishable by colour-blind
-/// readers, without their yellow (too pale on white) and black (used for text). The periods of
-/// dashes and markers share no factor with that of the colours, so that either alone identifies a
-/// series.
+/// Style of a series. Any two of the seven colours differ by at least 15 in CIELAB for readers with
+/// normal vision, protanopia, deuteranopia and tritanopia, and each has a contrast of at least 3 to
+/// white; in the dark reports/templates/look.css replaces them. The periods of dashes and markers
+/// share no factor with that of the colours, so that either alone identifies a series.
 struct SeriesLook {
   std::string colour;  ///< #rrggbb
   std::string dash;    ///< SVG's stroke-dasharray; empty: solid
   Marker marker;
 };
-SeriesLook series_look(std::size_t n);
 
-/// Style of the n-th series if it is dark: its dashes.
-SeriesLook dark_look(std::size_t n);
-
-/// Style of a series in the background.
-SeriesLook pale_look();
+/// Style of a series of the chart: pale ones do not count, dark ones have dashes and markers alone.
+SeriesLook look_of(const Chart& chart, std::size_t series);
 
 /// A marker of a radius around a place, both in pixels.
 Outline outline_of(const Marker& marker, const Pixel& place, double radius);
 
-/// Style of the n-th label of reference lines: dark dashes over a broad pale line over dots, so
-/// that coinciding lines all stay visible.
+/// Style of the n-th label of reference lines: dark dashes over a broad line over dots, so that
+/// coinciding lines all stay visible.
 struct LineLook {
   std::string colour, dash;
   std::string width;  ///< pixels
 };
 LineLook line_look(std::size_t n);
 
-/// Returns the colour of a heat map at a share in [0, 1], from dark to light, in 100 steps.
-std::string palette_colour(double share);
+/// Returns the colour of a heat map at a share in [0, 1], in 100 steps: from dark to light, or, if
+/// the colours diverge, from blue over nearly white at 0.5 to vermillion.
+std::string palette_colour(double share, bool diverging = false);
 
-/// The colour of text on the palette's colour at the share in [0, 1].
-std::string text_colour(double share);
+/// The colour of text on a colour, #rrggbb: black or white, with a contrast of at least 4.5.
+std::string text_colour(const std::string& colour);
 
 /// Returns the indices of the corners that suffice to draw a line (Douglas and Peucker,
 /// Cartographica 10 (1973) 112): the other corners lie at most `tolerance` from it. Both ends are

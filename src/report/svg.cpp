@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <utility>
 
 #include "src/report/drawing.h"
 #include "src/report/frame.h"
@@ -31,7 +32,8 @@ class Painter {
   }
 
   std::string svg() {
-    write_title();
+    drawing_.write({.size = title_size, .bold = true},
+                   lines_of(frame_.title, {8, 24}, title_height));
     paint_axes();
     if (chart_.heat_map) {
       paint_cells(*chart_.heat_map, frame_, drawing_);
@@ -56,15 +58,6 @@ class Painter {
   }
   Pixel place(const Sample& sample) const { return place(sample.position, *sample.value); }
 
-  SeriesLook look_of(std::size_t index) const {
-    const auto& all = chart_.series;
-    if (all[index].pale) return pale_look();
-    if (all[index].dark) return dark_look(index);
-    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index),
-                                      [](const Series& series) { return series.pale; });
-    return series_look(index - static_cast<std::size_t>(before));
-  }
-
   static Brush brush_of(const SeriesLook& look) {
     return {.stroke = look.colour, .width = "1.7", .dash = look.dash};
   }
@@ -72,20 +65,10 @@ class Painter {
     return {.stroke = look.colour, .width = look.width, .dash = look.dash};
   }
 
-  void write_title() {
-    std::vector<Writing> lines;
-    double y = 24;
-    for (const std::string& line : frame_.title) {
-      lines.push_back({{8, y}, line});
-      y += title_height;
-    }
-    drawing_.write({.size = title_size, .bold = true}, lines);
-  }
-
   void paint_axes() {
     const Box& plot = frame_.plot;
     std::vector<Outline> grid, ticks;
-    std::vector<Writing> x_labels, y_labels;
+    std::vector<Writing> x_labels, x_above, y_labels;
     const bool names = !chart_.x.categories.empty();
     for (const Tick& tick : frame_.x_ticks) {
       const double x = place(tick.position, frame_.y.lower).x;
@@ -93,6 +76,7 @@ class Painter {
       if (tick.label.empty()) continue;
       grid.push_back({{{x, plot.bottom}, {x, plot.top}}});
       x_labels.push_back({{x, plot.bottom + (frame_.names_turned ? 12 : 17)}, tick.label});
+      if (frame_.names_above) x_above.push_back({{x, plot.top - 6}, tick.label});
     }
     for (const Tick& tick : frame_.y_ticks) {
       const double y = place(frame_.x.lower, tick.position).y;
@@ -107,36 +91,30 @@ class Painter {
       drawing_.paint({.stroke = "#e4e4e4", .width = "0.7"}, grid);
       drawing_.paint({.stroke = "#888888"}, ticks);
     }
-    drawing_.write({.colour = "#444444",
-                    .anchor = frame_.names_turned ? "end" : "middle",
-                    .turned = frame_.names_turned ? -name_angle : 0.0},
-                   x_labels);
-    if (frame_.names_above) write_names_above();
+    for (const auto& [labels, angle] : {std::pair{x_labels, -name_angle}, {x_above, name_angle}}) {
+      drawing_.write({.colour = "#444444",
+                      .anchor = frame_.names_turned ? "end" : "middle",
+                      .turned = frame_.names_turned ? static_cast<double>(angle) : 0.0},
+                     labels);
+    }
     drawing_.write({.colour = "#444444", .anchor = "end"}, y_labels);
-    const Pixel middle{(plot.left + plot.right) / 2, (plot.top + plot.bottom) / 2};
-    write_label(frame_.x_label, {middle.x, plot.bottom + frame_.below_ticks}, 0);
-    write_label(frame_.y_label, {18, middle.y}, 270);
-    if (!frame_.colour_label.empty()) {
-      write_label(frame_.colour_label, {frame_.width - 10.0, middle.y}, 270);
+    for (const AxisLabel& label : frame_.labels) {
+      drawing_.write({.anchor = "middle", .turned = label.upright ? 270.0 : 0.0},
+                     lines_of(label.lines, label.place, line_height, label.upright));
     }
   }
 
-  void write_names_above() {
-    std::vector<Writing> names;
-    for (const Tick& tick : frame_.x_ticks) {
-      names.push_back({{place(tick.position, frame_.y.lower).x, frame_.plot.top - 6}, tick.label});
+  static std::vector<Writing> lines_of(const std::vector<std::string>& lines, Pixel place,
+                                       double distance, bool upright = false) {
+    std::vector<Writing> writings;
+    for (const std::string& line : lines) {
+      writings.push_back({place, line});
+      (upright ? place.x : place.y) += distance;
     }
-    drawing_.write({.colour = "#444444",
-                    .anchor = frame_.names_turned ? "end" : "middle",
-                    .turned = frame_.names_turned ? name_angle : 0.0},
-                   names);
+    return writings;
   }
 
   static double length(const Tick& tick) { return tick.label.empty() ? 2.7 : 4.5; }
-
-  void write_label(const std::string& label, const Pixel& place, double turned) {
-    if (!label.empty()) drawing_.write({.anchor = "middle", .turned = turned}, {{place, label}});
-  }
 
   void paint_lines() {
     const std::vector<std::string> labels = line_labels(chart_);
@@ -162,7 +140,7 @@ class Painter {
 
   void paint_spread(std::size_t index) {
     const Series& series = chart_.series[index];
-    const std::string colour = look_of(index).colour;
+    const std::string colour = look_of(chart_, index).colour;
     std::vector<Outline> outlines;
     if (series.mark == Mark::points) {
       for (const bool pale : {true, false}) {
@@ -208,7 +186,7 @@ class Painter {
 
   void paint_series(std::size_t index) {
     const Series& series = chart_.series[index];
-    const SeriesLook look = look_of(index);
+    const SeriesLook look = look_of(chart_, index);
     std::vector<Pixel> dots;
     std::vector<Outline> lines;
     if (series.mark == Mark::points) {
@@ -285,7 +263,7 @@ class Painter {
       writings.push_back({{x, y + 4}, label.text});
       if (!led) continue;
       const Pixel end{plot.right + 2, plot.bottom - label.end * plot.height()};
-      drawing_.paint({.stroke = look_of(label.series).colour}, {{{end, {x - 3, y}}}});
+      drawing_.paint({.stroke = look_of(chart_, label.series).colour}, {{{end, {x - 3, y}}}});
     }
     drawing_.write({}, writings);
   }
@@ -296,15 +274,19 @@ class Painter {
     if (entry.of == LegendEntry::Of::cells_without_value) {
       paint_key_of_gaps(from, drawing_);
     } else if (entry.of == LegendEntry::Of::area) {
-      paint_key_of(chart_.areas[entry.index], from, drawing_);
+      paint_key_of(chart_.areas[entry.numbers.front()], from, drawing_);
     } else if (entry.of == LegendEntry::Of::line) {
-      drawing_.paint(brush_of(line_look(entry.index)), {{{from, to}}});
-    } else if (chart_.series[entry.index].mark == Mark::points) {
-      paint_dots(look_of(entry.index), {middle}, marker_radius);
+      drawing_.paint(brush_of(line_look(entry.numbers.front())), {{{from, to}}});
     } else {
-      drawing_.paint(brush_of(look_of(entry.index)), {{{from, to}}});
+      for (const std::size_t number : entry.numbers) {
+        if (chart_.series[number].mark == Mark::points) {
+          paint_dots(look_of(chart_, number), {middle}, marker_radius);
+        } else {
+          drawing_.paint(brush_of(look_of(chart_, number)), {{{from, to}}});
+        }
+      }
     }
-    drawing_.write({}, {{{to.x + 6, entry.place.y}, entry.label}});
+    drawing_.write({}, lines_of(entry.lines, {to.x + 6, entry.place.y}, line_height));
   }
 
   const Chart& chart_;

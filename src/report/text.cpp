@@ -32,26 +32,14 @@ bool is_word(char c) {
 }  // namespace
 
 std::string escape_html(std::string_view text) {
+  static constexpr const char* entities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string escaped;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += is_control(c) ? ' ' : c;
+    const std::size_t special = std::string_view("&<>\"'").find(c);
+    if (special != std::string_view::npos) {
+      escaped += entities[special];
+    } else {
+      escaped += is_control(c) ? ' ' : c;
     }
   }
   return escaped;
@@ -84,6 +72,18 @@ std::string escape_markdown(std::string_view text) {
   return escaped;
 }
 
+std::string counted(std::int64_t number, std::string_view noun, std::string_view plural) {
+  if (number != 1 && !plural.empty()) return fmt::format("{} {}", number, plural);
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string seconds_text(double seconds, int digits) {
+  const auto [factor, unit] = seconds < 1e-3 ? std::pair{1e6, "µs"}
+                              : seconds < 1  ? std::pair{1e3, "ms"}
+                                             : std::pair{1.0, "s"};
+  return fmt::format("{:.{}g} {}", factor * seconds, digits, unit);
+}
+
 std::string html_with_links(std::string_view text) {
   std::string html;
   while (true) {
@@ -108,11 +108,26 @@ bool starts_character(char c) {
 
 }  // namespace
 
-int text_width(const std::string& text, int size) {
-  return static_cast<int>(std::ranges::count_if(text, starts_character)) * 7 * size / 12;
+double text_width(const std::string& text, double size) {
+  // Fortieths of the size, from the character '0' on, of the printable characters of ASCII.
+  static constexpr std::string_view widths =
+      "=@BRIVO;@@DR=>==IIIIIIIIII==RRREXKKLOIGON<<JFSNOHOLIHMKXKHK@=@RDDIIFII>II;;G;WIHII@E@"
+      "IHQHHEI=IR";
+  double width = 0;
+  for (const char c : text) {
+    const auto place = static_cast<std::size_t>(static_cast<unsigned char>(c) - ' ');
+    if (starts_character(c)) width += place < widths.size() ? widths[place] - '0' : 26;
+  }
+  return width * size / 40;
 }
 
-std::string shortened(const std::string& text, double room, int size) {
+double widest(const std::vector<std::string>& texts, double size) {
+  double width = 0;
+  for (const std::string& text : texts) width = std::max(width, text_width(text, size));
+  return width;
+}
+
+std::string shortened(const std::string& text, double room, double size) {
   if (text_width(text, size) <= room) return text;
   std::string kept = text;
   while (!kept.empty() && text_width(kept + "…", size) > room) {
@@ -122,7 +137,7 @@ std::string shortened(const std::string& text, double room, int size) {
   return kept + "…";
 }
 
-std::vector<std::string> wrapped(const std::string& text, double room, int size) {
+std::vector<std::string> wrapped(const std::string& text, double room, double size) {
   if (!text.empty() && text_width(text, size) <= room) return {text};
   std::vector<std::string> lines;
   std::istringstream words(text);
@@ -130,7 +145,7 @@ std::vector<std::string> wrapped(const std::string& text, double room, int size)
     if (!lines.empty() && text_width(lines.back() + " " + word, size) <= room) {
       lines.back() += " " + word;
     } else {
-      lines.push_back(shortened(word, room, size));
+      lines.push_back(word);
     }
   }
   return lines;

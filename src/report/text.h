@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,14 +30,24 @@ std::string text_or_dash(const std::optional<T>& value, const char* form) {
   return value ? fmt::format(fmt::runtime(form), *value) : "–";
 }
 
-/// Approximate width of the text in pixels; fonts are the reader's.
-int text_width(const std::string& text, int size = 12);
+/// "1 run", "2 runs", or with a plural of its own "2 entries".
+std::string counted(std::int64_t number, std::string_view noun, std::string_view plural = {});
+
+/// A time with the unit µs, ms or s that gives it a number of at least 1.
+std::string seconds_text(double seconds, int digits = 3);
+
+/// Width of the text in pixels, by the advances of DejaVu Sans, the widest font that is usual;
+/// fonts are the reader's. Characters beyond ASCII count as 0.65 of the size.
+double text_width(const std::string& text, double size = 12);
+
+/// Width of the widest of the texts; 0 if there is none.
+double widest(const std::vector<std::string>& texts, double size = 12);
 
 /// Returns the text, truncated with an ellipsis if there is no room.
-std::string shortened(const std::string& text, double room, int size = 12);
+std::string shortened(const std::string& text, double room, double size = 12);
 
-/// The text in lines that have room, broken at spaces.
-std::vector<std::string> wrapped(const std::string& text, double room, int size = 12);
+/// The text in lines that have room, broken at spaces. A line of a single word may be wider.
+std::vector<std::string> wrapped(const std::string& text, double room, double size = 12);
 
 /// Where the cells of a heat map lead: to a folder, #, and what stands in the link for the row and
 /// for the column, joined. In the order of the chart's axes; empty: nowhere.

@@ -168,7 +168,7 @@ TEST(RandomCharts, AreWellFormedWithAllMarksInsideThePlot) {
   EXPECT_GT(marks, static_cast<std::size_t>(charts));
 }
 
-TEST(RandomCharts, HaveAllPathsAndStartsOfTextsInThePicture) {
+TEST(RandomCharts, HaveAllPathsAndTextsInThePicture) {
   RandomCharts random(29);
   for (int i = 0; i < charts && !testing::Test::HasFailure(); ++i) {
     Chart chart = random.next();
@@ -181,11 +181,7 @@ TEST(RandomCharts, HaveAllPathsAndStartsOfTextsInThePicture) {
     EXPECT_GE(width, chart.width);
     EXPECT_GE(height, chart.height);
     expect_inside(svg.paths("fill", "none"), {0, width, 0, height}, i);
-    for (const pugi::xpath_node& text : svg.root().select_nodes("//text[@x]")) {
-      const double x = text.node().attribute("x").as_double();
-      const double y = text.node().attribute("y").as_double();
-      EXPECT_TRUE(x >= 0 && x <= width && y >= 0 && y <= height) << "chart " << i;
-    }
+    EXPECT_EQ(svg.cut_texts(), "") << "chart " << i;
   }
 }
 

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
 #include <pugixml.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "src/report/svg.h"
+#include "src/report/text.h"
 
 namespace ricochet::report {
 
@@ -49,6 +54,13 @@ inline std::vector<std::vector<Pixel>> lines_in(const std::string& data) {
   return lines;
 }
 
+/// A text and where it is drawn, about, in the font that text_width() knows.
+struct ReadText {
+  std::string text;
+  double width;  ///< pixels, along the text
+  Box box;
+};
+
 /// A picture as it is read back. Throws std::runtime_error if it is no XML.
 class ReadSvg {
  public:
@@ -84,6 +96,47 @@ class ReadSvg {
     for (const pugi::xpath_node& one : document_.select_nodes("//text"))
       text += std::string(one.node().child_value()) + "\n";
     return text;
+  }
+
+  std::vector<ReadText> texts() const {
+    std::vector<ReadText> found;
+    for (const pugi::xpath_node& one : document_.select_nodes("//text")) {
+      const pugi::xml_node node = one.node(), group = node.parent();
+      const double size = group.attribute("font-size").as_double(12);
+      const double bold = group.attribute("font-weight") ? 1.14 : 1;
+      ReadText text{
+          node.child_value(), bold * text_width(node.child_value(), size), {1e9, -1e9, 1e9, -1e9}};
+      double x = node.attribute("x").as_double(), y = node.attribute("y").as_double(), turned = 0;
+      std::sscanf(node.attribute("transform").value(), "translate(%lf,%lf)rotate(%lf)", &x, &y,
+                  &turned);
+      turned *= std::numbers::pi / 180;
+      const std::string anchor = group.attribute("text-anchor").value();
+      const double before = anchor == "middle" ? text.width / 2 : anchor == "end" ? text.width : 0;
+      for (const double along : {-before, text.width - before}) {
+        for (const double down : {-0.75 * size, 0.22 * size}) {
+          const double right = x + along * std::cos(turned) - down * std::sin(turned);
+          const double below = y + along * std::sin(turned) + down * std::cos(turned);
+          text.box = {std::min(text.box.left, right), std::max(text.box.right, right),
+                      std::min(text.box.top, below), std::max(text.box.bottom, below)};
+        }
+      }
+      found.push_back(std::move(text));
+    }
+    return found;
+  }
+
+  /// What is wrong with the texts: those that leave the picture, and those that are shortened
+  /// though they are not very long. A line each.
+  std::string cut_texts() const {
+    std::string cut;
+    const double width = root().attribute("width").as_double();
+    const double height = root().attribute("height").as_double();
+    for (const auto& [text, length, box] : texts()) {
+      const double beyond = std::max({-box.left, box.right - width, -box.top, box.bottom - height});
+      if (beyond > 1) cut += text + ": leaves the picture by " + std::to_string(beyond) + "\n";
+      if (text.ends_with("…") && length < 400) cut += text + ": is shortened\n";
+    }
+    return cut;
   }
 
   std::vector<std::string> ids() const {

@@ -143,7 +143,7 @@ TEST(Svg, DrawsReferenceLinesAcrossThePlotAndNamesThem) {
   chart.lines = {{Direction::horizontal, 1, "one"}, {Direction::vertical, 2, "two"}};
   const ReadSvg svg(to_svg(chart));
   const Box plot = frame_of(chart).plot;
-  for (const char* colour : {"#222222", "#f2b84b"}) {
+  for (const char* colour : {"#222222", "#bf8600"}) {
     EXPECT_EQ(svg.lines_of("stroke", colour), 2U) << colour;  // and in the legend
   }
   const auto line = svg.paths("stroke", "#222222")[0].lines[0];

@@ -17,6 +17,7 @@
 #include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/instance.h"
+#include "src/report/text.h"
 
 namespace ricochet::studies::comparison {
 
@@ -157,11 +158,6 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
   return ahead / static_cast<double>(resamples);
 }
 
-std::string seconds_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.3g} µs", 1e6 * seconds);
-  return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
-}
-
 void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent,
               const std::vector<Stretch>& stretches, std::size_t price) {
   for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -199,7 +195,7 @@ std::string title_of(const EntrySet& set, const std::vector<Stretch>& stretches)
   }
   return fmt::format("{}: {} is ahead of {} from {} a simulation on", set.family,
                      solver(stretches.back()), solver(stretches[stretches.size() - 2]),
-                     seconds_text(stretches.back().from));
+                     report::seconds_text(stretches.back().from));
 }
 
 }  // namespace

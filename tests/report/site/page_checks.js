@@ -1,0 +1,44 @@
+// What is looked at on every page, at several widths: functions that run in the browser. Each returns a list of what is wrong.
+
+// What a finger must meet has at least 24 by 24 pixels, but for links in a sentence (WCAG 2.2, success criterion 2.5.8). Of a
+// box that stands in its label the label is met; a cell of a heat map is as large as its data let it be.
+export const smallTargets = () => {
+  const block = (one) => { while (/^inline$/.test(getComputedStyle(one).display)) one = one.parentElement; return one; };
+  const inSentence = (link) => {
+    const words = block(link.parentElement).cloneNode(true);
+    for (const part of words.querySelectorAll("a, button, ul, ol, table, script, style")) part.remove();
+    return /\p{L}{2}/u.test(words.textContent);
+  };
+  return [...document.querySelectorAll("a[href], button, input, select, summary, label")].filter((one) => {
+    if (!one.checkVisibility({opacityProperty: true, visibilityProperty: true}) || one.matches(".skip, .cell-link, label:not([for], :has(input, select))")) return false;
+    if (one.matches("input") && one.closest("label")) return false;
+    const {width, height} = one.getBoundingClientRect();
+    return (width < 23.5 || height < 23.5) && !(one.matches("a") && inSentence(one));
+  }).map((one) => `${one.tagName.toLowerCase()} "${one.textContent.trim().slice(0, 30)}" in ${one.parentElement.tagName.toLowerCase()}.${one.closest("[class]")?.className} has ${["width", "height"].map((side) => one.getBoundingClientRect()[side].toFixed(0)).join(" x ")} pixels`);
+};
+
+// Words that go on in the next line, but for code and after a hyphen or another sign.
+export const brokenWords = () => {
+  const broken = [], range = document.createRange();
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const text = texts.currentNode, own = text.parentElement;
+    if (!/\S/.test(text.data) || own.closest("pre, code, svg, script, style, option") || !own.checkVisibility()) continue;
+    for (const {0: word, index} of text.data.matchAll(/[\p{L}\p{N}]{2,}/gu)) {
+      range.setStart(text, index);
+      range.setEnd(text, index + word.length);
+      if (new Set([...range.getClientRects()].map(({top}) => Math.round(top))).size > 1) broken.push(`"${word}" in ${own.tagName.toLowerCase()}.${own.closest("[class]")?.className}`);
+    }
+  }
+  return broken;
+};
+
+// Texts of charts that leave the picture, with the fonts of this machine.
+export const cutTexts = () => [...document.querySelectorAll("figure > svg.ricochet-chart")].filter((svg) => svg.checkVisibility()).flatMap((svg) => {
+  const picture = svg.getBoundingClientRect(), scale = picture.width / svg.viewBox.baseVal.width;
+  return [...svg.querySelectorAll("text")].filter((text) => text.checkVisibility()).flatMap((text) => {
+    const {left, right, top, bottom} = text.getBoundingClientRect();
+    const beyond = Math.max(picture.left - left, right - picture.right, picture.top - top, bottom - picture.bottom) / scale;
+    return beyond > 2 ? [`"${text.textContent}" leaves ${svg.id || svg.querySelector("title").textContent} by ${beyond.toFixed(0)} pixels`] : [];
+  });
+});

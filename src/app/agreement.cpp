@@ -36,7 +36,8 @@ std::string family_in_words(const FamilyAgreement& one) {
   return fmt::format(
       "{}: {} and {}; {}; the first of the one ({}{}) {} in the other, "
       "whose first is {}\n",
-      one.family, one.problems, report::counted(one.other_problems, "problem"), agreement_in_words(one.agreement), one.leader,
+      one.family, one.problems, report::counted(one.other_problems, "problem"),
+      agreement_in_words(one.agreement), one.leader,
       one.best ? fmt::format(", P(best) {:.2f}", *one.best) : "",
       one.place ? fmt::format("has place {}", *one.place) : "is not ranked", one.other_leader);
 }
@@ -112,8 +113,7 @@ std::vector<FamilyAgreement> agreements(const Store& first, const Store& second)
 
 }  // namespace
 
-std::string agreement_in_words(
-    const std::optional<studies::comparison::Agreement>& agreement) {
+std::string agreement_in_words(const std::optional<studies::comparison::Agreement>& agreement) {
   if (!agreement) return "the orders cannot be compared";
   return fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
                      agreement->correlation, agreement->lower, agreement->upper,
@@ -140,11 +140,12 @@ int compare_stores(const std::string& first, const std::string& second, bool jso
     const auto json_of_store = [](const auto& has) {
       return has ? exports::json_of(*has) : Json();
     };
-    const Json data = {{"stores", {json_of_store(one_has), json_of_store(other_has)}},
-                       {"families", report::list_of(families, [](const auto& family) { return json_of(family); })},
-                       {"entries", report::list_of(changes.entries,
-                                        [](const EntryChange& change) { return json_of(change); })},
-                       {"other_problems", changes.other_problems}};
+    const Json data = {
+        {"stores", {json_of_store(one_has), json_of_store(other_has)}},
+        {"families", report::list_of(families, [](const auto& family) { return json_of(family); })},
+        {"entries", report::list_of(changes.entries,
+                                    [](const EntryChange& change) { return json_of(change); })},
+        {"other_problems", changes.other_problems}};
     fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
   }

@@ -197,11 +197,11 @@ std::string sample_in_words(const SampledFamily& family) {
 Json sample_json(const SampledFamily& family) {
   return {{"family", family.family},
           {"of", family.of},
-          {"problems", report::list_of(family.problems,
-                                       [](const auto& one) {
-                                         return Json{{"problem", one.first},
-                                                     {"difficulty", one.second}};
-                                       })},
+          {"problems",
+           report::list_of(family.problems,
+                           [](const auto& one) {
+                             return Json{{"problem", one.first}, {"difficulty", one.second}};
+                           })},
           {"agreement", agreement_json(family.agreement)},
           {"leader", family.leader},
           {"returned", report::as_json(family.returned)},

@@ -12,9 +12,9 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
+#include "src/analysis/comparison/order.h"
 #include "src/app/command_line.h"
 #include "src/report/json.h"
-#include "src/analysis/comparison/order.h"
 #include "src/studies/machine/charts.h"
 
 namespace ricochet::cli {
@@ -69,8 +69,7 @@ carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
 int compare_stores(const std::string& first, const std::string& second, bool json);
 
 /// The agreement of two orders in words; nothing if they cannot be compared.
-std::string agreement_in_words(
-    const std::optional<studies::comparison::Agreement>& agreement);
+std::string agreement_in_words(const std::optional<studies::comparison::Agreement>& agreement);
 report::Json agreement_json(const std::optional<studies::comparison::Agreement>& agreement);
 
 /// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",

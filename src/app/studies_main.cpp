@@ -193,9 +193,10 @@ void add_best_values(CommandLine& line) {
       ->type_name("STORE")
       ->excludes("--problems", "--seconds", "--budget");
   command
-      ->add_option("--hard-machines", options->hard_machines,
-                   "Instead: search machines whose top speed in the window is hard to find, and write "
-                   "this file")
+      ->add_option(
+          "--hard-machines", options->hard_machines,
+          "Instead: search machines whose top speed in the window is hard to find, and write "
+          "this file")
       ->type_name("FILE")
       ->excludes("--problems", "--seconds", "--budget", "--from", "--out");
   line.on_call(command, [options] { return best_values(*options); });

@@ -39,8 +39,8 @@ struct Series {
   std::string label;  ///< its entry in the legend; empty: no entry
   Mark mark = Mark::line;
   std::vector<Sample> samples = {};  ///< by rising position between gaps, if joined
-  bool pale = false;            ///< grey: a background for comparison
-  bool dark = false;            ///< nearly black: to be seen on coloured areas
+  bool pale = false;                 ///< grey: a background for comparison
+  bool dark = false;                 ///< nearly black: to be seen on coloured areas
 };
 
 /// A coloured area below the series.
@@ -59,11 +59,11 @@ struct Area {
 /// Coloured cells over the categories of x and y. A cell without a value is hatched.
 struct HeatMap {
   std::string label;  ///< of the colours, with its unit
-  std::vector<std::vector<std::optional<double>>>
-      rows = {};                    ///< a row for each category of y, a cell for each category of x
+  std::vector<std::vector<std::optional<double>>> rows =
+      {};                           ///< a row for each category of y, a cell for each category of x
   std::optional<Range> range = {};  ///< of the colours, for maps that are compared
-  /// Where the cells lead: what stands in a link for the row and for the column, joined. In the order
-  /// of the axes; empty: nowhere.
+  /// Where the cells lead: what stands in a link for the row and for the column, joined. In the
+  /// order of the axes; empty: nowhere.
   std::vector<std::string> row_links = {}, column_links = {};
 };
 

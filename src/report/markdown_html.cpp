@@ -253,7 +253,8 @@ class Refiner {
     }
     const std::string labels = column_labels(titles);
     if (!labels.empty()) {
-      put_attribute(table, "class",
+      put_attribute(
+          table, "class",
           titles.size() > many_columns ? std::string("folding many") : std::string("folding"));
       put_attribute(table, "style", labels);
     }
@@ -349,12 +350,13 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures,
   if (chooses) scripts.push_back(embedded::choose_script);
   if (!later.empty()) scripts.push_back(embedded::chart_data_script);
   if (refiner.has_links()) scripts.push_back(embedded::chart_links_script);
-  const Json data = {{"title", escape_html(text_of(header.child("h1")))},
-                     {"look", std::string(embedded::look) + (view.is_null() ? "" : embedded::view_look)},
-                     {"header", inner_html(header)},
-                     {"contents", std::move(contents)},
-                     {"main", inner_html(main)},
-                     {"scripts", std::move(scripts)}};
+  const Json data = {
+      {"title", escape_html(text_of(header.child("h1")))},
+      {"look", std::string(embedded::look) + (view.is_null() ? "" : embedded::view_look)},
+      {"header", inner_html(header)},
+      {"contents", std::move(contents)},
+      {"main", inner_html(main)},
+      {"scripts", std::move(scripts)}};
   std::string html = filled(embedded::sheet_template, {&data});
   for (const auto& [mark, picture] : later) {
     const std::size_t place = html.find(mark);

@@ -22,8 +22,8 @@ inline constexpr const char* view_mark = "<!-- view -->";
 
 /// A filled page, see markdown_page.h, as HTML that needs no other file and no network: pictures
 /// stand in it, long tables fold, parts are chosen, sections have addresses and a list of contents.
-/// `view` has the data of the runs that a script filters, see view.js. Throws std::runtime_error if it
-/// is no Markdown.
+/// `view` has the data of the runs that a script filters, see view.js. Throws std::runtime_error if
+/// it is no Markdown.
 std::string page_html(const std::string& markdown, const PagePictures& pictures,
                       const Json& view = nullptr);
 

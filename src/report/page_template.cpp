@@ -83,7 +83,8 @@ Figure figure_of(const TemplatePart& chart, const Scopes& scopes, Mismatch misma
   }
 }
 
-Section section_of(const TemplatePart& part, const Scopes& scopes, Mismatch mismatch, DrawnPage& result) {
+Section section_of(const TemplatePart& part, const Scopes& scopes, Mismatch mismatch,
+                   DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
   section.notes = paragraphs_of(part, "notes", scopes);

@@ -5,11 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "embedded/page_fireworks.h"
-#include "embedded/page_machine.h"
-#include "embedded/page_surrogate.h"
-#include "embedded/page_reproduction.h"
-#include "embedded/page_verification.h"
 #include "embedded/page_calibration.h"
 #include "embedded/page_comparison.h"
 #include "embedded/page_comparison_failures.h"
@@ -17,6 +12,11 @@
 #include "embedded/page_comparison_machines.h"
 #include "embedded/page_comparison_solvers.h"
 #include "embedded/page_comparison_view.h"
+#include "embedded/page_fireworks.h"
+#include "embedded/page_machine.h"
+#include "embedded/page_reproduction.h"
+#include "embedded/page_surrogate.h"
+#include "embedded/page_verification.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_impact_test.h"

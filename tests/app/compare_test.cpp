@@ -16,7 +16,10 @@ using report::Json;
 
 /// What the page of a family says of the first one on it.
 report::Results family_of(const std::filesystem::path& folder) {
-  return report::results_in(report::data_in(read(folder / "data.json"))).parts.at("families").at(0).results;
+  return report::results_in(report::data_in(read(folder / "data.json")))
+      .parts.at("families")
+      .at(0)
+      .results;
 }
 
 TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {

@@ -93,12 +93,14 @@ TEST(OwnSolver, IsComparedWithOthers) {
       library, python("hill_climber"), folder.string());
   const Outcome outcome = call(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const report::Results data = report::results_in(report::data_in(read(folder / "count" / "data.json")));
+  const report::Results data =
+      report::results_in(report::data_in(read(folder / "count" / "data.json")));
   std::set<std::string> names;
-  each_row(*data.parts.at("families").at(0).results.table("results"), [&](const ricochet::Row& result) {
-    names.insert(result.text("solver"));
-    EXPECT_EQ(result.number("failed"), 0);
-  });
+  each_row(*data.parts.at("families").at(0).results.table("results"),
+           [&](const ricochet::Row& result) {
+             names.insert(result.text("solver"));
+             EXPECT_EQ(result.number("failed"), 0);
+           });
   EXPECT_EQ(names, (std::set<std::string>{"mine", "hill-climber", "scan", "nlopt-crs2"}));
 }
 

@@ -37,7 +37,8 @@ void add_rows(Table& table, const std::string& family, const std::string& change
   const Setting& usual = settings.front();
   for (const Setting& setting : settings) {
     const Rating* first = leader_of(setting.ratings);
-    const auto agreement = &setting == &usual ? std::nullopt : agreement_of(usual.order, setting.order);
+    const auto agreement =
+        &setting == &usual ? std::nullopt : agreement_of(usual.order, setting.order);
     table.add(family, changed, setting.name, setting.order.leader,
               setting.order.leader == usual.order.leader,
               value_of(first, &Rating::probability_of_being_best),

@@ -164,11 +164,11 @@ void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent
     const Entry& entry = set.entries[stretches[k].entry];
     const bool last = k + 1 == stretches.size();
     const double until = last ? dearest_simulation : stretches[k + 1].from;
-    table.add(name_of(prices[price]), k == 0 ? Value() : value_of(stretches[k].from),
-              last ? Value() : value_of(until), entry.solver, entry.formulation,
-              sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
-                       seed_of("break-even", set.family, static_cast<int>(k),
-                               static_cast<int>(price))));
+    table.add(
+        name_of(prices[price]), k == 0 ? Value() : value_of(stretches[k].from),
+        last ? Value() : value_of(until), entry.solver, entry.formulation,
+        sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
+                 seed_of("break-even", set.family, static_cast<int>(k), static_cast<int>(price))));
   }
 }
 
@@ -278,9 +278,8 @@ void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const 
             kind_of(entry.solver), entry.formulation, entry.results.size(),
             entry.results.size() == set.problems.size(), runs, mean_cost(evaluations),
             mean_cost(seconds), share.mean, share.interval.lower, share.interval.upper,
-            joint ? Value() : value_of(quantile(gaps, 0.5)),
-            value_of(interval, &Interval::lower), value_of(interval, &Interval::upper), false,
-            false);
+            joint ? Value() : value_of(quantile(gaps, 0.5)), value_of(interval, &Interval::lower),
+            value_of(interval, &Interval::upper), false, false);
 }
 
 /// Marks the complete rows on the Pareto front, from `first` on.
@@ -306,11 +305,11 @@ std::string title_of(const std::string& name, const Table& front, std::size_t al
     return fmt::format("{}: none of {} solvers solved a run", name, all);
   }
   if (fastest.number(cost) == spent) {
-    return fmt::format("{}: {} ({:.0f} %, {}) is first in both, of {}", name, surest.text("solver"),
-                       100 * surest.number("share"),
-                       by_time ? fmt::format("{:.2g} ms", 1e3 * spent)
-                               : fmt::format("{:.3g} evaluations", spent),
-                       all);
+    return fmt::format(
+        "{}: {} ({:.0f} %, {}) is first in both, of {}", name, surest.text("solver"),
+        100 * surest.number("share"),
+        by_time ? fmt::format("{:.2g} ms", 1e3 * spent) : fmt::format("{:.3g} evaluations", spent),
+        all);
   }
   // The axis names the cost: with it the title would be too long.
   return fmt::format("{}: {} of {} lead, from {} ({:.0f} %) to {} ({:.0f} %)", name,
@@ -431,9 +430,8 @@ Table kind_table(const Table& of_family) {
 
 std::optional<std::string> paper_algorithm_sentence(const Table& of_family) {
   const auto find = [&](const std::string& solver) {
-    return of_family.find([&](const Row& row) {
-      return row.is("complete") && row.text("solver") == solver;
-    });
+    return of_family.find(
+        [&](const Row& row) { return row.is("complete") && row.text("solver") == solver; });
   };
   const auto own = find(paper_solver), drawn = find("random-search");
   if (!own || !drawn) return {};
@@ -441,9 +439,13 @@ std::optional<std::string> paper_algorithm_sentence(const Table& of_family) {
   const bool better = own->number("lower") > drawn->number("upper");
   const bool worse = own->number("upper") < drawn->number("lower");
   return fmt::format(
-      "The paper's algorithm ({}) is {} than random search on {} ({:.0f} problems): it solves {:.0f} % "
+      "The paper's algorithm ({}) is {} than random search on {} ({:.0f} problems): it solves "
+      "{:.0f} % "
       "[{:.0f}, {:.0f}] of the runs, random search {:.0f} % [{:.0f}, {:.0f}].",
-      paper_solver, better ? "better" : worse ? "worse" : "not measurably better",
+      paper_solver,
+      better  ? "better"
+      : worse ? "worse"
+              : "not measurably better",
       family == "all" ? "the families that most solvers take" : family, own->number("problems"),
       100 * own->number("share"), 100 * own->number("lower"), 100 * own->number("upper"),
       100 * drawn->number("share"), 100 * drawn->number("lower"), 100 * drawn->number("upper"));
@@ -456,10 +458,11 @@ std::string front_sentence(const Table& of_family) {
   const Table level = where(rows, [&](const Row& row) {
     return !row.is("on_front") && row.number("upper") >= surest.number("share");
   });
-  return fmt::format("{} of {} solvers are on the Pareto front; {} more {} statistically tied with "
-                     "the most accurate, {}.",
-                     front.rows.size(), rows.rows.size(), level.rows.size(),
-                     level.rows.size() == 1 ? "is" : "are", surest.text("solver"));
+  return fmt::format(
+      "{} of {} solvers are on the Pareto front; {} more {} statistically tied with "
+      "the most accurate, {}.",
+      front.rows.size(), rows.rows.size(), level.rows.size(), level.rows.size() == 1 ? "is" : "are",
+      surest.text("solver"));
 }
 
 }  // namespace ricochet::studies::comparison

@@ -37,8 +37,9 @@ constexpr Measure measures[] = {{"share solved", &MachineResult::solved},
 /// The main effects of one entry on the share solved, in the order of the levels.
 using MainEffects = std::vector<FactorialEffect>;
 
-/// Adds the significant effects and the mean to the table and counts the others in `unsure`. Returns
-/// all main effects on the share solved; none if there are too few machines for an estimate.
+/// Adds the significant effects and the mean to the table and counts the others in `unsure`.
+/// Returns all main effects on the share solved; none if there are too few machines for an
+/// estimate.
 MainEffects add_effects(Table& table, std::size_t& unsure, const ByEntry::value_type& entry,
                         const std::map<std::string, std::vector<double>>& factors) {
   std::vector<std::string> names;
@@ -89,7 +90,8 @@ MainEffects add_effects(Table& table, std::size_t& unsure, const ByEntry::value_
   return main;
 }
 
-/// The main effects on the share solved of each entry, and in the title the largest significant one.
+/// The main effects on the share solved of each entry, and in the title the largest significant
+/// one.
 report::Chart effect_chart(const std::string& family,
                            const std::map<std::string, std::vector<double>>& factors,
                            const std::vector<std::pair<std::string, MainEffects>>& entries) {
@@ -115,15 +117,16 @@ report::Chart effect_chart(const std::string& family,
           {static_cast<double>(k), 100 * effect, report::Range{100 * lower, 100 * upper}});
       if (!excludes_zero(lower, upper) || std::abs(effect) <= largest) continue;
       largest = std::abs(effect);
-      chart.title = fmt::format("{}: {} changes a success rate most, by {:+.0f} points ({})", family,
-                                chart.x.categories.at(k), 100 * effect, entry);
+      chart.title = fmt::format("{}: {} changes a success rate most, by {:+.0f} points ({})",
+                                family, chart.x.categories.at(k), 100 * effect, entry);
     }
   }
   return chart;
 }
 
 /// The entry that solves most at each level of each factor, beside the one over all machines.
-Table turn_table(const ByEntry& entries, const std::map<std::string, std::vector<double>>& factors) {
+Table turn_table(const ByEntry& entries,
+                 const std::map<std::string, std::vector<double>>& factors) {
   Table table{"levels",
               {{"factor"},
                {"level"},

@@ -46,8 +46,8 @@ void set_texts(Results& part, const std::string& family, const Problem& problem)
   names.set("smoothing", problem.smoothing);
   for (const char* key : {"minimise", "when", "measure", "risk"})
     names.set(key, text_of(family, key));
-  for (const char* key : {"asks", "formula", "constraints", "surrogate", "derivatives", "instances",
-                          "users"}) {
+  for (const char* key :
+       {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
     const auto text = text_of(family, key);
     part.set(key, text ? value_of(report::filled_line(*text, names)) : Value());
   }
@@ -88,9 +88,8 @@ Series curve_of(const Problem& problem, const Formulation& formulation) {
   constexpr double fineness = 2000;  // of the chart: half a pixel of a large screen
   const Problem formulated = problem.formulated(formulation);
   const double width = problem.upper[0] - problem.lower[0];
-  Series curve{problem.name_of(formulation),
-               formulation.smoothing > 0 ? Mark::line : Mark::steps,
-               {}};
+  Series curve{
+      problem.name_of(formulation), formulation.smoothing > 0 ? Mark::line : Mark::steps, {}};
   double least = 0, most = 0;
   for (int k = 0; k <= samples; ++k) {
     const Vector x = Vector::Constant(1, problem.lower[0] + width * k / samples);
@@ -216,8 +215,8 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       results.set("family", group.family);
       results.set("finding", first_sentences(where(leaders, "family", group.family)));
       results.set("shown", first.name);
-      results.set("penalty", constrained.constraints > 0 ? value_of(constrained.penalty_weight)
-                                                         : Value());
+      results.set("penalty",
+                  constrained.constraints > 0 ? value_of(constrained.penalty_weight) : Value());
       results.add(variable_table(first));
       results.add(taken_formulations(constrained));
       results.add(problem_table(rated, group, hashes));
@@ -273,10 +272,9 @@ std::string firsts(const char* how, const Table& leaders, double from, double be
   for (const FirstSolver& one : solvers) {
     const std::string least = fmt::format("{:.0f}", 100 * one.least);
     const std::string most = fmt::format("{:.0f}", 100 * one.most);
-    texts.push_back(fmt::format("{} on {} (success rate {} %, {} problems)", one.solver,
-                                fmt::join(one.families, ", "),
-                                least == most ? most : fmt::format("{} to {}", least, most),
-                                one.problems));
+    texts.push_back(fmt::format(
+        "{} on {} (success rate {} %, {} problems)", one.solver, fmt::join(one.families, ", "),
+        least == most ? most : fmt::format("{} to {}", least, most), one.problems));
   }
   return texts.empty() ? "" : fmt::format("{} {}. ", how, fmt::join(texts, "; "));
 }
@@ -288,8 +286,9 @@ std::string opening_of(const Table& all) {
   const auto open =
       where(leaders, [](const Row& row) { return certainty_of(row) < probably; }).rows.size();
   std::string text =
-      firsts("First by mean rank, with a probability P(best) of 0.9 or more on problems like these:",
-             leaders, surely, 2) +
+      firsts(
+          "First by mean rank, with a probability P(best) of 0.9 or more on problems like these:",
+          leaders, surely, 2) +
       firsts("Less sure, P(best) of 0.5 to 0.9:", leaders, probably, surely);
   if (open > 0) {
     text += fmt::format(

@@ -43,9 +43,9 @@ struct FamilyPage {
   report::Results results;
 };
 
-/// The pages of all families: parts "families", one for each family as the report names it, with what
-/// is asked (texts, variables, formulations, problems), who is first, ratings and charts for each
-/// budget, and what compares its entries. `hashes`: of the problems in the store, by name.
+/// The pages of all families: parts "families", one for each family as the report names it, with
+/// what is asked (texts, variables, formulations, problems), who is first, ratings and charts for
+/// each budget, and what compares its entries. `hashes`: of the problems in the store, by name.
 std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector<RatedPart>& parts,
                                      const std::vector<EntrySet>& sets, const Table& leaders,
                                      const Table& speed_accuracy,

@@ -40,8 +40,8 @@ Series curve_of(const Rating& rating, const std::string& label) {
     auto& samples = curve.samples;
     const std::size_t many = samples.size();
     const double share = 100 * reach.share;
-    const bool level = many > 2 && samples[many - 1].value == share &&
-                       samples[many - 2].value == share;
+    const bool level =
+        many > 2 && samples[many - 1].value == share && samples[many - 2].value == share;
     if (level) samples.pop_back();  // its ends suffice
     samples.push_back({reach.evaluations, share});
   }
@@ -132,7 +132,8 @@ Chart solved_map(const RatedPart& part, std::size_t number) {
     cells[static_cast<std::size_t>(place - group.problems.begin())] =
         100 * result_of(result.outcomes).returned.share;
   }
-  Chart chart{.name = "solved", .x = {"problem"}, .y = {""}, .heat_map = report::HeatMap{"solved [%]"}};
+  Chart chart{
+      .name = "solved", .x = {"problem"}, .y = {""}, .heat_map = report::HeatMap{"solved [%]"}};
   report::HeatMap& map = *chart.heat_map;
   map.range = Range{0, 100};
   for (const std::size_t q : group.problems) {

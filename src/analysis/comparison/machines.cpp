@@ -115,8 +115,8 @@ const std::vector<MachineResult>& widest(const ByEntry& entries) {
 
 /// The true objective over the box, a row for each machine, for problems of one variable without
 /// constraints.
-std::optional<Chart> landscape(const std::string& family, const std::vector<MachineResult>& machines,
-                               const Factors& factors) {
+std::optional<Chart> landscape(const std::string& family,
+                               const std::vector<MachineResult>& machines, const Factors& factors) {
   const Problem& first = *machines.front().problem;
   if (first.dimension() != 1 || first.constraints > 0) return {};
   const Variable variable = first.variables.empty() ? Variable{"x", ""} : first.variables.front();
@@ -160,13 +160,14 @@ void add_machine_maps(const std::string& family, const ByEntry& entries, report:
                             range.upper, maximised ? " " + maximised->unit : "");
   const auto& first = *best_first(entries).front();
   const double share = mean_solved(first.second);
-  page.set("finding", fmt::format("{}; {} solves most ({:.0f} %).", known.title, name_of(first),
-                                  100 * share));
+  page.set("finding",
+           fmt::format("{}; {} solves most ({:.0f} %).", known.title, name_of(first), 100 * share));
   page.add(std::move(known));
   Chart solved = map_of("solved", "solved [%]", first.second, factors,
                         [](const MachineResult& r) { return 100 * r.solved; });
   solved.heat_map->range = Range{0, 100};
-  solved.title = fmt::format("{}: {} solves {:.0f} % of the runs", family, name_of(first), 100 * share);
+  solved.title =
+      fmt::format("{}: {} solves {:.0f} % of the runs", family, name_of(first), 100 * share);
   if (share < all_solved) page.add(std::move(solved));
   if (auto chart = landscape(family, machines, factors)) page.add(std::move(*chart));
 }

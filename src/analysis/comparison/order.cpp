@@ -102,8 +102,8 @@ Table order_table(const std::vector<CellResult>& results, const std::vector<Rate
     const auto agreement = agreement_of(a, b);
     if (!agreement) return;  // the orders cannot be compared
     table.add(group.family, what, group.problems.size(), agreement->entries, agreement->solvers,
-              agreement->correlation, agreement->lower, agreement->upper,
-              a.leader, b.leader, a.leader == b.leader);
+              agreement->correlation, agreement->lower, agreement->upper, a.leader, b.leader,
+              a.leader == b.leader);
   };
   for (const RatedPart& rated : parts) {
     const Comparison& comparison = rated.comparison;
@@ -156,8 +156,8 @@ Table held_out_table(const std::vector<RatedPart>& parts) {
                {"first_stays", "first stays first [%]", ".0%", 3}}};
   for (const RatedPart& part : parts) {
     for (const Group& group : part.groups) {
-      const RankedEntries ranked = ranked_entries(part.comparison, group.problems,
-                                                  part.comparison.part->budgets.size() - 1);
+      const RankedEntries ranked =
+          ranked_entries(part.comparison, group.problems, part.comparison.part->budgets.size() - 1);
       const auto order = held_out_order(ranked.problems, ranked.names.size(),
                                         seed_of("held out", group.family, 0, 0));
       table.add(group.family, group.problems.size(), ranked.names.size(),
@@ -282,9 +282,8 @@ Table leader_table(const std::vector<RatedPart>& parts) {
       const Group& group = part.groups[g];
       const auto random = random_search_time(part.comparison, group);
       const bool easy = random && *random <= easy_for_random_search;
-      const auto unsolved = std::ranges::count_if(group.problems, [&](std::size_t q) {
-        return tries_on(part.comparison, q).solved == 0;
-      });
+      const auto unsolved = std::ranges::count_if(
+          group.problems, [&](std::size_t q) { return tries_on(part.comparison, q).solved == 0; });
       for (std::size_t b = 0; b < budgets.size(); ++b) {
         const auto& [by_returned, by_evaluated] = part.ratings[g][b];
         const Rating* first = easy ? nullptr : leader_of(by_returned);
@@ -303,14 +302,14 @@ Table leader_table(const std::vector<RatedPart>& parts) {
             easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
                  : "none (the least mean rank solved no run)";
         const bool is_largest = b + 1 == budgets.size();
-        table.add(group.family, budgets[b], is_largest, first ? name_of(first) : none,
-                  value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
-                  value_of(first, &Rating::returned),
-                  value_of(first, &Rating::probability_of_being_best),
-                  value_of(first, &Rating::problems), group.problems.size(),
-                  std::ranges::count_if(by_returned, [](const Rating& r) { return r.rank.has_value(); }),
-                  by_returned.size(), solves, evaluated,
-                  is_largest ? value_of(unsolved) : Value(), random);
+        table.add(
+            group.family, budgets[b], is_largest, first ? name_of(first) : none,
+            value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
+            value_of(first, &Rating::returned), value_of(first, &Rating::probability_of_being_best),
+            value_of(first, &Rating::problems), group.problems.size(),
+            std::ranges::count_if(by_returned, [](const Rating& r) { return r.rank.has_value(); }),
+            by_returned.size(), solves, evaluated, is_largest ? value_of(unsolved) : Value(),
+            random);
       }
     }
   }
@@ -411,9 +410,14 @@ std::vector<FamilyAgreement> family_agreements(const Campaign& first,
     const auto other = std::ranges::find(others, rated.name, &RatedFamily::name);
     if (other == others.end()) continue;
     const Order order = order_of(rated.ratings), other_order = order_of(other->ratings);
-    FamilyAgreement& one = all.emplace_back(FamilyAgreement{
-        rated.name, rated.problems, other->problems, agreement_of(order, other_order),
-        order.leader, {}, {}, other_order.leader});
+    FamilyAgreement& one = all.emplace_back(FamilyAgreement{rated.name,
+                                                            rated.problems,
+                                                            other->problems,
+                                                            agreement_of(order, other_order),
+                                                            order.leader,
+                                                            {},
+                                                            {},
+                                                            other_order.leader});
     if (const Rating* leader = leader_of(rated.ratings)) {
       one.best = leader->probability_of_being_best;
       one.place = place_of(*leader, other->ratings);

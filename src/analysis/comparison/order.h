@@ -106,10 +106,10 @@ std::vector<FamilyAgreement> family_agreements(const Campaign& first,
 /// strata of difficulty: the share of its runs, over all entries, that did not solve a problem.
 struct SampledFamily {
   std::string family;
-  std::size_t of;  ///< problems
+  std::size_t of;                                             ///< problems
   std::vector<std::pair<std::string, double>> problems = {};  ///< drawn, with their difficulties
-  std::optional<Agreement> agreement = {};    ///< of the order on them with that on all
-  std::string leader = {};                    ///< on all
+  std::optional<Agreement> agreement = {};         ///< of the order on them with that on all
+  std::string leader = {};                         ///< on all
   std::optional<double> returned = {}, best = {};  ///< its success rate and P(best)
   std::string sample_leader = {};
 };

@@ -119,7 +119,8 @@ void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets
       if (own) add_row(table, totals[entry.solver], campaign, set, entry);
     });
   }
-  Table sums{"own-totals", {{"solver"}, {"solved"}, {"problems"}, {"better"}, {"worse"}, {"rivals"}}};
+  Table sums{"own-totals",
+             {{"solver"}, {"solved"}, {"problems"}, {"better"}, {"worse"}, {"rivals"}}};
   for (const auto& [solver, total] : totals) {
     sums.add(solver, total.solved, total.problems, total.better, total.worse, total.rivals);
   }
@@ -168,16 +169,18 @@ report::Chart chart_of(const Table& table) {
     if (row.is("biased")) biased.push_back(row.text("entry"));
   });
   for (const char* place : places) {
-    report::Series& series = chart.series.emplace_back(report::Series{
-        std::string(place) == "middle" ? place : fmt::format("{} end", place), report::Mark::points,
-        {}});
+    report::Series& series = chart.series.emplace_back(
+        report::Series{std::string(place) == "middle" ? place : fmt::format("{} end", place),
+                       report::Mark::points,
+                       {}});
     each_row(table, [&](const Row& row) {
-      series.samples.push_back({static_cast<double>(series.samples.size()), 100 * row.number(place)});
+      series.samples.push_back(
+          {static_cast<double>(series.samples.size()), 100 * row.number(place)});
     });
   }
-  chart.title = biased.empty() ? "No entry is biased to a place in the box"
-                               : fmt::format("Biased to a place in the box: {}",
-                                             fmt::join(biased, "; "));
+  chart.title = biased.empty()
+                    ? "No entry is biased to a place in the box"
+                    : fmt::format("Biased to a place in the box: {}", fmt::join(biased, "; "));
   return chart;
 }
 
@@ -211,7 +214,8 @@ void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult
                                 problems.size() == 1 ? "" : "s",
                                 variables_of(campaign, {problems.begin(), problems.end()})));
   }
-  page.set("relocated", parts.empty() ? Value() : value_of(fmt::format("{}", fmt::join(parts, ", "))));
+  page.set("relocated",
+           parts.empty() ? Value() : value_of(fmt::format("{}", fmt::join(parts, ", "))));
   if (!table.rows.empty()) page.add(chart_of(table));
   page.add(std::move(table));
 }

@@ -74,13 +74,14 @@ Chart log_ratio_chart(const Campaign& campaign, const EntrySet& set,
                             Range{std::min(bar.log2_ratio, 0.0), std::max(bar.log2_ratio, 0.0)}});
     if (bar.solved_by != SolvedBy::neither && bar.log2_ratio < 0) ++ahead;
   }
-  Chart chart{.name = "log-ratio",
-              .title = fmt::format("{}: {} needs less than {} on {} of {} problems", set.family,
-                                   a.solver, b.solver, ahead, set.problems.size()),
-              .x = {"problem, by the ratio"},
-              .y = {fmt::format("log2 of the evaluations of {} over those of {}", a.solver, b.solver)},
-              .width = 820,
-              .height = 300};
+  Chart chart{
+      .name = "log-ratio",
+      .title = fmt::format("{}: {} needs less than {} on {} of {} problems", set.family, a.solver,
+                           b.solver, ahead, set.problems.size()),
+      .x = {"problem, by the ratio"},
+      .y = {fmt::format("log2 of the evaluations of {} over those of {}", a.solver, b.solver)},
+      .width = 820,
+      .height = 300};
   for (std::size_t k = 0; k < bars.size(); ++k) {
     if (bars.at(k).samples.empty()) continue;
     bars.at(k).label = names.at(k);
@@ -131,9 +132,9 @@ void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results
     }
   }
   const Row first = table[0];
-  chart.title = fmt::format("{}: {} is within twice the least cost on {:.0f} % of {} problems",
-                            set.family, first.text("solver"), 100 * first.number("twice"),
-                            set.problems.size());
+  chart.title =
+      fmt::format("{}: {} is within twice the least cost on {:.0f} % of {} problems", set.family,
+                  first.text("solver"), 100 * first.number("twice"), set.problems.size());
   page.set("virtual-best",
            fmt::format("The single best by PAR10 is {}, with {:.3g} evaluations a variable, {:.2g} "
                        "times the virtual best's {:.3g}.",
@@ -243,9 +244,9 @@ Chart lead_map(const Campaign& campaign, const EntrySet& set, const Entry& a, co
   Chart chart{.name = "lead",
               .x = {"evaluations for each variable"},
               .y = {"optimality gap [tolerances]"},
-              .heat_map = report::HeatMap{fmt::format("{} less {} [points]", a.solver, b.solver),
-                                          {},
-                                          Range{-100, 100}},
+              .heat_map =
+                  report::HeatMap{
+                      fmt::format("{} less {} [points]", a.solver, b.solver), {}, Range{-100, 100}},
               .width = 820,
               .height = 320};
   for (double t = 1; t < 1.001 * static_cast<double>(set.budget); t *= std::sqrt(std::sqrt(10))) {
@@ -268,12 +269,11 @@ Chart lead_map(const Campaign& campaign, const EntrySet& set, const Entry& a, co
     chart.y.categories.push_back(fmt::format("{:g}", grid.values[v]));
   }
   const bool first = most >= -least;
-  chart.title = most == least
-                    ? fmt::format("{}: nothing tells {} from {} in what they solve", set.family,
-                                  a.solver, b.solver)
-                    : fmt::format("{}: {} solves up to {:.0f} points more than {}", set.family,
-                                  (first ? a : b).solver, 100 * std::max(most, -least),
-                                  (first ? b : a).solver);
+  chart.title = most == least ? fmt::format("{}: nothing tells {} from {} in what they solve",
+                                            set.family, a.solver, b.solver)
+                              : fmt::format("{}: {} solves up to {:.0f} points more than {}",
+                                            set.family, (first ? a : b).solver,
+                                            100 * std::max(most, -least), (first ? b : a).solver);
   chart.description = fmt::format(
       "Heat map of the difference of the attainment functions of {} and {}.", a.solver, b.solver);
   return chart;
@@ -298,9 +298,9 @@ void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& p
       const Entry& a = *best[i];
       const Entry& b = *best[k];
       pairs.push_back({&a, &b,
-                       bayesian_signed_rank(differences(campaign, a, b), 1,
-                                            seed_of("pairs", set.family,
-                                                    static_cast<int>(i * compared + k), 0))});
+                       bayesian_signed_rank(
+                           differences(campaign, a, b), 1,
+                           seed_of("pairs", set.family, static_cast<int>(i * compared + k), 0))});
       for (std::size_t q = 0; q < set.problems.size(); ++q) {
         const RankSumTest test = rank_sum_test(times_of(*a.results[q]), times_of(*b.results[q]));
         p_values.push_back(test.p_value);

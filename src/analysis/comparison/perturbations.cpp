@@ -45,7 +45,8 @@ struct Tried {
 };
 
 /// By family and solver, then formulation.
-using Tallies = std::map<std::pair<std::string, std::string>, std::map<std::string, ByPerturbation>>;
+using Tallies =
+    std::map<std::pair<std::string, std::string>, std::map<std::string, ByPerturbation>>;
 
 /// Returns the formulation in which a solver does best over all perturbations together. The
 /// unperturbed runs alone would be biased: a formulation that was lucky there would seem to be
@@ -179,12 +180,12 @@ report::Chart perturbation_map(const Table& rows, const std::vector<const Pertur
       if (cells.back()) most = std::max(most, *cells.back() *= 100);
     }
     if (most == 0) continue;
-    chart.y.categories.push_back(fmt::format("{}: {}, {}", row.text("family"), row.text("solver"),
-                                             row.text("formulation")));
+    chart.y.categories.push_back(
+        fmt::format("{}: {}, {}", row.text("family"), row.text("solver"), row.text("formulation")));
     chart.heat_map->rows.push_back(std::move(cells));
-    chart.heat_map->row_links.push_back(fmt::format(
-        "../view#family={}&formulation=all&budget={}&entry={}, {}", row.text("family"),
-        row.number("budget"), row.text("solver"), row.text("formulation")));
+    chart.heat_map->row_links.push_back(
+        fmt::format("../view#family={}&formulation=all&budget={}&entry={}, {}", row.text("family"),
+                    row.number("budget"), row.text("solver"), row.text("formulation")));
   }
   chart.height = 120 + 16 * static_cast<int>(chart.y.categories.size());
   return chart;
@@ -234,17 +235,17 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
         plain == by_perturbation.end() ? by_perturbation.begin()->second : plain->second;
     const Tried& family = tried.at(key.first);
     std::vector<Value> row = {key.first, key.second, formulation};
-    for (const auto number :
-         {static_cast<std::int64_t>(family.problems.size()),
-          static_cast<std::int64_t>(family.least_variables),
-          static_cast<std::int64_t>(family.most_variables), family.budget,
-          static_cast<std::int64_t>(usual.runs)}) {
+    for (const auto number : {static_cast<std::int64_t>(family.problems.size()),
+                              static_cast<std::int64_t>(family.least_variables),
+                              static_cast<std::int64_t>(family.most_variables), family.budget,
+                              static_cast<std::int64_t>(usual.runs)}) {
       row.emplace_back(number);
     }
     for (const Perturbation* perturbation : perturbations) {
       const auto mine = by_perturbation.find(perturbation->name);
       row.push_back(mine == by_perturbation.end() ? Value() : value_of(mine->second.share()));
-      if (mine == by_perturbation.end() || plain == by_perturbation.end() || mine == plain) continue;
+      if (mine == by_perturbation.end() || plain == by_perturbation.end() || mine == plain)
+        continue;
       changes[perturbation->name].push_back({key.second, key.first, plain->second, mine->second});
     }
     rates.add_row(std::move(row));
@@ -261,10 +262,11 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
     if (!is_missing(row["most"]))
       harmed.push_back(fmt::format("{} {}", row.text("perturbation"), row.text("most")));
   });
-  page.set("finding", harmed.empty() ? "No perturbation harms an entry significantly."
-                                     : fmt::format("Entries that a perturbation harms most: {}; the "
-                                                   "others none significantly.",
-                                                   fmt::join(harmed, "; ")));
+  page.set("finding", harmed.empty()
+                          ? "No perturbation harms an entry significantly."
+                          : fmt::format("Entries that a perturbation harms most: {}; the "
+                                        "others none significantly.",
+                                        fmt::join(harmed, "; ")));
   report::Chart map = perturbation_map(rates, perturbations);
   map.title = harmed.empty() ? "No perturbation harms an entry significantly"
                              : "Success rate under each perturbation";

@@ -61,28 +61,29 @@ std::optional<std::string> paper_algorithm_sentence(const Table& of_family);
 std::string front_sentence(const Table& of_family);
 
 /// Adds the effects of perturbations on solvers, by family, with the largest budget. Each solver is
-/// in the formulation that does best over all perturbations together; "plain" uses the same cells as
-/// the perturbation. Table "perturbations", a row for each: means over solvers with and without it,
-/// the number of solvers that it harms significantly, the most harmed one, and the one that solves
-/// most under it; table "perturbation-rates" and chart "perturbations": the success rates; and the
-/// failure atlas, see add_atlas(). Returns false, with nothing added, if the campaign has no
-/// perturbation but "plain".
+/// in the formulation that does best over all perturbations together; "plain" uses the same cells
+/// as the perturbation. Table "perturbations", a row for each: means over solvers with and without
+/// it, the number of solvers that it harms significantly, the most harmed one, and the one that
+/// solves most under it; table "perturbation-rates" and chart "perturbations": the success rates;
+/// and the failure atlas, see add_atlas(). Returns false, with nothing added, if the campaign has
+/// no perturbation but "plain".
 bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& results,
                        report::Results& page);
 
 /// Adds how the user's solvers did beside the others: table "own-solvers", a row for each of them
 /// and each family with its largest budget: the success rate of its entry, with its interval, the
-/// number of other solvers that solve fewer and more of the problems that both take (if these are at
-/// least half of the family's), and on how many of these the difference is significant: Wilcoxon's
-/// signed-rank test over problems, with Holm's correction over the solvers of the family, at 5 %.
-/// Table "own-totals", a row for each: the problems that it solved in most of its runs.
+/// number of other solvers that solve fewer and more of the problems that both take (if these are
+/// at least half of the family's), and on how many of these the difference is significant:
+/// Wilcoxon's signed-rank test over problems, with Holm's correction over the solvers of the
+/// family, at 5 %. Table "own-totals", a row for each: the problems that it solved in most of its
+/// runs.
 void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets,
                      const std::vector<Solver>& suite, report::Results& page);
 
 /// Adds the bias of entries towards the ends or the middle of the box: table and chart
-/// "relocated-optima", the share of runs that each solves of the relocated-optimum variants with the
-/// best point at the lower end, in the middle and at the upper end, for every part of the plan that
-/// relocates the optimum; the value "relocated" says what the problems are.
+/// "relocated-optima", the share of runs that each solves of the relocated-optimum variants with
+/// the best point at the lower end, in the middle and at the upper end, for every part of the plan
+/// that relocates the optimum; the value "relocated" says what the problems are.
 void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult>& results,
                           report::Results& page);
 
@@ -102,19 +103,20 @@ std::map<std::string, ByEntry> machine_results(const Campaign& campaign,
                                                const std::vector<CellResult>& results,
                                                const ReportedPart& part);
 
-/// Adds, for a family that is posed on a grid of machines, maps over their factors: the first factor
-/// has a column for each level, the others a row for each combination. Charts "known" (the best
-/// known values), "solved" (the share solved by its best entry, unless that is all), "landscape"
-/// (the true objective of problems of one variable without constraints, a row for each machine).
+/// Adds, for a family that is posed on a grid of machines, maps over their factors: the first
+/// factor has a column for each level, the others a row for each combination. Charts "known" (the
+/// best known values), "solved" (the share solved by its best entry, unless that is all),
+/// "landscape" (the true objective of problems of one variable without constraints, a row for each
+/// machine).
 void add_machine_maps(const std::string& family, const ByEntry& entries, report::Results& page);
 
-/// Adds the effects of restitution, friction, disturbance and fidelity on solvers, for a family whose
-/// machines differ in them, with the largest budget and without perturbations: table "effects", the
-/// significant main effects and interactions of two on the share solved, the cost (log10 of the
-/// evaluations to solve, or spent) and the accuracy (share of targets reached), of the five best
-/// entries by share solved, where the machine is the unit of the intervals; the value "unsure", how
-/// many are not significant; chart "effects", all main effects on the share solved; table "levels",
-/// the entry that solves most at each level of each factor.
+/// Adds the effects of restitution, friction, disturbance and fidelity on solvers, for a family
+/// whose machines differ in them, with the largest budget and without perturbations: table
+/// "effects", the significant main effects and interactions of two on the share solved, the cost
+/// (log10 of the evaluations to solve, or spent) and the accuracy (share of targets reached), of
+/// the five best entries by share solved, where the machine is the unit of the intervals; the value
+/// "unsure", how many are not significant; chart "effects", all main effects on the share solved;
+/// table "levels", the entry that solves most at each level of each factor.
 void add_effects(const std::string& family, const ByEntry& entries, report::Results& page);
 
 /// Returns the factors of a family's machines that have several levels, with their levels. It is

@@ -109,8 +109,8 @@ report::Part map_of(const Fates& fates, const std::map<std::string, std::string>
       most = std::max(most, row.back().value_or(0));
     }
   }
-  chart.title = fmt::format("{}: at most {:.0f} % of the runs on a machine under a perturbation", kind,
-                            most);
+  chart.title =
+      fmt::format("{}: at most {:.0f} % of the runs on a machine under a perturbation", kind, most);
   chart.width = 900;
   chart.height = 230 + 26 * static_cast<int>(names.size());
   chart.description = fmt::format(
@@ -359,8 +359,8 @@ Separation separation_of(const Comparison& comparison, std::size_t problem) {
   const auto least = std::ranges::min_element(p_values);
   if (least == p_values.end() || *least >= significant_split) return separation;
   const Split& split = splits[static_cast<std::size_t>(least - p_values.begin())];
-  separation.by = fmt::format("{}: {:.0f} %, without: {:.0f} %", split.name, 100 * mean(split.those),
-                              100 * mean(split.others));
+  separation.by = fmt::format("{}: {:.0f} %, without: {:.0f} %", split.name,
+                              100 * mean(split.those), 100 * mean(split.others));
   return separation;
 }
 

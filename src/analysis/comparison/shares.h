@@ -16,8 +16,8 @@ namespace ricochet::studies::comparison {
 
 using namespace ricochet::comparison;
 
-/// Adds the failure atlas to a page: a table "atlas", for each machine and perturbation the share of
-/// runs that solved their problem, with Wilson's interval, the outcomes of the other runs, and a
+/// Adds the failure atlas to a page: a table "atlas", for each machine and perturbation the share
+/// of runs that solved their problem, with Wilson's interval, the outcomes of the other runs, and a
 /// command that repeats one of them; and parts "outcomes", a map for each kind of outcome.
 void add_atlas(const Campaign& campaign, const std::vector<CellResult>& results,
                report::Results& page);

@@ -133,7 +133,8 @@ std::string standing_of(const Row& row, const Table& speed_accuracy) {
   if (row.is("on_front")) return by_time ? "on the front, also by time" : "on the front";
   if (by_time) return "on the front by time";
   const auto ahead = ahead_of(row, speed_accuracy);
-  return ahead ? fmt::format("{} {:.0f} %", ahead->text("solver"), 100 * ahead->number("share")) : "";
+  return ahead ? fmt::format("{} {:.0f} %", ahead->text("solver"), 100 * ahead->number("share"))
+               : "";
 }
 
 void add_family_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& entry,

@@ -14,11 +14,12 @@ namespace ricochet::studies::comparison {
 /// know something; see library_note().
 Table library_notes(const std::vector<Solver>& solvers);
 
-/// The page of all solvers: table "solvers", by name, with the families and problems that each takes,
-/// solved (number of these problems that it solved in at least one run, by the returned point),
-/// fronts (the families on whose Pareto front of speed and accuracy it is); and parts "solvers", one
-/// for each. `speed_accuracy` is speed_accuracy_table(). All is of the largest budgets and the
-/// solver's best formulation for a family, except for the termination reasons, which are of all runs.
+/// The page of all solvers: table "solvers", by name, with the families and problems that each
+/// takes, solved (number of these problems that it solved in at least one run, by the returned
+/// point), fronts (the families on whose Pareto front of speed and accuracy it is); and parts
+/// "solvers", one for each. `speed_accuracy` is speed_accuracy_table(). All is of the largest
+/// budgets and the solver's best formulation for a family, except for the termination reasons,
+/// which are of all runs.
 report::Results solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
                              const std::vector<EntrySet>& sets, const Table& speed_accuracy);
 

@@ -120,8 +120,8 @@ Chart map_chart(const Table& map) {
   return chart;
 }
 
-/// The families that differ in restitution, friction, disturbance or fidelity, a part for each; none
-/// if the plan has no grid of machines.
+/// The families that differ in restitution, friction, disturbance or fidelity, a part for each;
+/// none if the plan has no grid of machines.
 Results across_page(const Campaign& campaign, const std::vector<CellResult>& results,
                     const std::vector<ReportedPart>& parts) {
   Results page;
@@ -143,8 +143,8 @@ Results across_page(const Campaign& campaign, const std::vector<CellResult>& res
 /// Speed against accuracy of all families together, or of each if none are joined.
 void add_fronts(const Table& speed_accuracy, Results& page) {
   const Table joint = where(speed_accuracy, "family", std::string("all"));
-  page.set("paper-algorithm", joint.rows.empty() ? Value()
-                                                 : value_of(paper_algorithm_sentence(joint)));
+  page.set("paper-algorithm",
+           joint.rows.empty() ? Value() : value_of(paper_algorithm_sentence(joint)));
   page.add(joint.rows.empty() ? Table{"kinds"} : kind_table(joint));
   page.set("fronts", joint.rows.empty() ? Value() : value_of(front_sentence(joint)));
   if (!joint.rows.empty()) {

@@ -132,9 +132,9 @@ class ViewTable {
     for (Table* table : {&entries, &families, &problems, &solvers, &all_orders}) {
       page.add(std::move(*table));
     }
-    for (const auto& [name, names] : {std::pair{"view-formulations", &formulations_},
-                                      std::pair{"view-perturbations", &perturbations_},
-                                      std::pair{"view-prices", &prices_}}) {
+    for (const auto& [name, names] :
+         {std::pair{"view-formulations", &formulations_},
+          std::pair{"view-perturbations", &perturbations_}, std::pair{"view-prices", &prices_}}) {
       Table list{name, {{"name"}}};
       for (const std::string& one : names->all()) list.add(one);
       page.add(std::move(list));

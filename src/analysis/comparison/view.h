@@ -21,13 +21,13 @@ namespace ricochet::studies::comparison {
 /// The tables are lists of names, which "view-entries" counts from 0: families (of problems, as the
 /// report names them), problems, solvers, formulations, perturbations and prices of a gradient. An
 /// entry is a solver-formulation pair on one family under one perturbation, price and budget
-/// (evaluations for each variable). Its column `problems` has a 1 for each problem of the family that
-/// it takes and a 0 for others, or is empty if it takes all. Its runs are in the order of the
+/// (evaluations for each variable). Its column `problems` has a 1 for each problem of the family
+/// that it takes and a 0 for others, or is empty if it takes all. Its runs are in the order of the
 /// problems, then of the instances, then of the seeds; how they are written is below. "view-orders"
 /// has a text for each family, perturbation, price and budget, in the order of the entries: how the
-/// runs that miss targets are ranked. A family's `joint` is the budget with which it is among "all",
-/// see joint_entry_set(); its `problems` are numbers of problems. A run is in the part of the plan
-/// that asks for it first. `known`: the solvers of the suite.
+/// runs that miss targets are ranked. A family's `joint` is the budget with which it is among
+/// "all", see joint_entry_set(); its `problems` are numbers of problems. A run is in the part of
+/// the plan that asks for it first. `known`: the solvers of the suite.
 report::Results view_page(const Campaign& campaign, const std::vector<CellResult>& results,
                           const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
                           const std::vector<Solver>& known);

@@ -14,7 +14,6 @@
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 
-
 namespace ricochet::studies::comparison {
 namespace {
 
@@ -131,8 +130,16 @@ TEST(SpeedAccuracy, OfNothingOrOneIsNothingOrOne) {
 }
 
 TEST(Kinds, HaveTheirBestAndThePapersAlgorithm) {
-  Table rows{"rows", {{"family"}, {"solver"}, {"kind"}, {"complete"}, {"problems"}, {"share"},
-                      {"lower"}, {"upper"}, {"evaluations"}}};
+  Table rows{"rows",
+             {{"family"},
+              {"solver"},
+              {"kind"},
+              {"complete"},
+              {"problems"},
+              {"share"},
+              {"lower"},
+              {"upper"},
+              {"evaluations"}}};
   rows.add("all", "fireworks", "fireworks", true, 9, 0.2, 0.1, 0.3, 5);
   rows.add("all", "bbfwa", "fireworks", true, 9, 0.4, 0.3, 0.5, 5);
   rows.add("all", "random-search", "chance", true, 9, 0.05, 0.01, 0.09, 5);
@@ -143,10 +150,11 @@ TEST(Kinds, HaveTheirBestAndThePapersAlgorithm) {
   EXPECT_EQ(kinds[0].number("solvers"), 2);
   EXPECT_EQ(kinds[1].text("kind"), "the paper's algorithm");
   EXPECT_EQ(kinds[2].text("best"), "random-search");
-  EXPECT_EQ(paper_algorithm_sentence(rows),
-            "The paper's algorithm (fireworks) is better than random search on the families that "
-            "most solvers take (9 problems): it solves 20 % [10, 30] of the runs, random search 5 % "
-            "[1, 9].");
+  EXPECT_EQ(
+      paper_algorithm_sentence(rows),
+      "The paper's algorithm (fireworks) is better than random search on the families that "
+      "most solvers take (9 problems): it solves 20 % [10, 30] of the runs, random search 5 % "
+      "[1, 9].");
   EXPECT_FALSE(paper_algorithm_sentence(where(rows, "kind", std::string("fireworks"))).has_value());
 }
 
@@ -177,9 +185,9 @@ TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"chance-*\"");
   const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
     const bool first = cell.cell.problem == "bowl-1", is_a = cell.cell.solver == "chance-a";
-    return std::vector{first ? run_solved_after(is_a ? 10 : 40)
-                             : run_solved_after(is_a ? std::nullopt
-                                                     : std::optional<std::int64_t>(40))};
+    return std::vector{
+        first ? run_solved_after(is_a ? 10 : 40)
+              : run_solved_after(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
   });
   report::Results page;
   add_profiles(campaign, entry_sets_of(campaign, results).at(0), page);
@@ -204,8 +212,8 @@ TEST(Pairs, SayWhoIsBetterAndWhere) {
   ASSERT_EQ(pairs.rows.size(), 1U);
   EXPECT_EQ(pairs[0].text("a"), "chance-b");
   EXPECT_GT(pairs[0].number("better"), 0.9);
-  EXPECT_NEAR(pairs[0].number("better") + pairs[0].number("equivalent") + pairs[0].number("worse"), 1,
-              1e-9);
+  EXPECT_NEAR(pairs[0].number("better") + pairs[0].number("equivalent") + pairs[0].number("worse"),
+              1, 1e-9);
   EXPECT_EQ(pairs[0].number("a_faster"), 0);  // two runs on each side say nothing
   // At an optimality gap of one tolerance: all runs of one, none of the other, from 50 evaluations
   // on.
@@ -224,7 +232,8 @@ TEST(Ecdf, HasTheEndsAloneOfLevelParts) {
   for (const report::Series& series : chart.series) {
     const auto& samples = series.samples;
     EXPECT_EQ(samples.front().value, 0);
-    EXPECT_NEAR(*samples.back().value, 100 * parts[0].most(0)[&series - chart.series.data()].progress.back().share, 1e-9);
+    EXPECT_NEAR(*samples.back().value,
+                100 * parts[0].most(0)[&series - chart.series.data()].progress.back().share, 1e-9);
     for (std::size_t i = 3; i < samples.size(); ++i) {
       EXPECT_FALSE(samples[i].value == samples[i - 1].value &&
                    samples[i].value == samples[i - 2].value);
@@ -233,7 +242,8 @@ TEST(Ecdf, HasTheEndsAloneOfLevelParts) {
 }
 
 /// A run that solved its problem with the last of what it asked for, or not at all.
-Outcome asking_run(std::int64_t values, std::int64_t derivatives, double seconds, bool solved = true) {
+Outcome asking_run(std::int64_t values, std::int64_t derivatives, double seconds,
+                   bool solved = true) {
   Outcome outcome;
   outcome.evaluations = values + derivatives;
   outcome.values = values;
@@ -360,7 +370,8 @@ TEST(OwnSolver, StandsBesideTheOthersOfItsFamily) {
 }
 
 TEST(OwnSolver, IsNoneOfTheSuite) {
-  const report::Results data = own_page({chance("weak"), chance("equal"), chance("strong"), chance("mine")});
+  const report::Results data =
+      own_page({chance("weak"), chance("equal"), chance("strong"), chance("mine")});
   EXPECT_TRUE(data.table("own-solvers")->rows.empty());
   EXPECT_TRUE(data.table("own-totals")->rows.empty());
 }

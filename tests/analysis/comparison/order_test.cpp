@@ -13,7 +13,6 @@
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 
-
 namespace ricochet::studies::comparison {
 namespace {
 
@@ -66,7 +65,8 @@ TEST(AgreementOfCampaigns, IsOneForTheSameOrderAndMinusOneForTheOpposite) {
 }
 
 TEST(AgreementOfCampaigns, HasNoLeaderWhereNothingIsSolved) {
-  const FamilyAgreement row = agreement_with(TwoBowls([](int) { return 100; }), TwoBowls([](int s) { return 10 + s; }));
+  const FamilyAgreement row =
+      agreement_with(TwoBowls([](int) { return 100; }), TwoBowls([](int s) { return 10 + s; }));
   EXPECT_EQ(row.leader, "none");
   EXPECT_FALSE(row.best.has_value());
   EXPECT_FALSE(row.place.has_value());
@@ -113,8 +113,8 @@ const std::vector<MissingSolver> missing = {{"dlib-global-search", "dlib", {}},
 
 std::vector<std::string> lacking_of(const std::string& solvers) {
   std::vector<std::string> names;
-  const Plan plan = plan_from(
-      "[[part]]\nproblems = \"*\"\nsolvers = [" + solvers + "]\nbudgets = 1\n", "test");
+  const Plan plan =
+      plan_from("[[part]]\nproblems = \"*\"\nsolvers = [" + solvers + "]\nbudgets = 1\n", "test");
   for (const MissingSolver& one : lacking(plan, missing)) names.push_back(one.solver);
   return names;
 }
@@ -125,8 +125,8 @@ TEST(Lacking, AreTheMissingSolversThatThePlanSelects) {
   EXPECT_TRUE(lacking_of("\"mads\"").empty());
 }
 
-/// A run of 100 evaluations that evaluated a solving point after so many, or none, and returned it or
-/// not.
+/// A run of 100 evaluations that evaluated a solving point after so many, or none, and returned it
+/// or not.
 Outcome run_of(std::optional<std::int64_t> after, bool returned = true) {
   Outcome outcome;
   outcome.evaluations = 100;
@@ -147,8 +147,8 @@ struct Led {
                                "]\nsolvers = \"*\"\nbudgets = [10, 100]\ninstances = 2\n",
                            "test"),
                  catalogue(runs)),
-        results(made_up_results(campaign,
-                                [&](const PlannedCell& cell) { return runs.at(cell.cell.solver); })),
+        results(made_up_results(
+            campaign, [&](const PlannedCell& cell) { return runs.at(cell.cell.solver); })),
         reported(reported_parts(campaign)),
         parts(rated_parts(campaign, results, reported)) {}
 
@@ -197,8 +197,8 @@ TEST(Leaders, AreNotNamedWhereRandomSearchSolvesAtOnce) {
 }
 
 TEST(Leaders, SayWhoSolvesMoreThanTheFirst) {
-  // On one instance the fast one is first of six and solves; on the other all but the sure one miss,
-  // and the fast one ties for the second place. The sure one comes last where all solve.
+  // On one instance the fast one is first of six and solves; on the other all but the sure one
+  // miss, and the fast one ties for the second place. The sure one comes last where all solve.
   std::map<std::string, std::vector<Outcome>> runs = {{"fast", {run_of(1), run_of({})}},
                                                       {"sure", twice(run_of(90))}};
   for (const char* other : {"a", "b", "c", "d"}) runs[other] = {run_of(50), run_of({})};
@@ -354,12 +354,13 @@ TEST(Opening, SaysWhichSolverHowSureAndOnHowManyProblems) {
   leaders.add("hs-many", "slsqp", none, 0.5, 12, true);
   leaders.add("classic", "crs", 0.4, 0.5, 12, true);
   leaders.add("wear", "ipopt", 1, 0.02, 12, true);
-  EXPECT_EQ(opening_of(leaders),
-            "First by mean rank, with a probability P(best) of 0.9 or more on problems like these: "
-            "bisection on top-speed, robust-mean (success rate 92 to 100 %, 24 problems). Less sure, "
-            "P(best) of 0.5 to 0.9: ipopt on hs (success rate 93 %, 12 problems). On 4 of 7 kinds of "
-            "problems no entry is named so: too few solve them, several are as good, or random "
-            "search is enough.");
+  EXPECT_EQ(
+      opening_of(leaders),
+      "First by mean rank, with a probability P(best) of 0.9 or more on problems like these: "
+      "bisection on top-speed, robust-mean (success rate 92 to 100 %, 24 problems). Less sure, "
+      "P(best) of 0.5 to 0.9: ipopt on hs (success rate 93 %, 12 problems). On 4 of 7 kinds of "
+      "problems no entry is named so: too few solve them, several are as good, or random "
+      "search is enough.");
   EXPECT_EQ(opening_of(made_up_leaders()), "");
 }
 

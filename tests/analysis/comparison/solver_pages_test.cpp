@@ -68,9 +68,10 @@ TEST(SolverPages, CountProblemsSolvedByTheReturnedPointWithTheLargestBudget) {
   EXPECT_EQ(solvers[0].text("fronts"), "bowl");
   EXPECT_EQ(solvers[2].number("solved"), 0);
   EXPECT_EQ(solvers[2].text("fronts"), "");
-  EXPECT_EQ(*part_of(all, "luck").value("summary"),
-            Value("It solved 0 of the 3 problems that it takes, each in at least one run; 1 of the "
-                  "others no solver did. It is on no family's Pareto front of speed and accuracy."));
+  EXPECT_EQ(
+      *part_of(all, "luck").value("summary"),
+      Value("It solved 0 of the 3 problems that it takes, each in at least one run; 1 of the "
+            "others no solver did. It is on no family's Pareto front of speed and accuracy."));
 }
 
 TEST(SolverPages, HaveSuccessRateAndRunningTimeOfEachFamily) {

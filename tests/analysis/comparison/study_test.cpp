@@ -31,8 +31,11 @@ class ComparisonStudy : public TemporaryFolder {
   /// The filled page of a kind of report.
   static std::string filled(const Json& data) {
     Json made = data;
-    made["made"] = {{"version", "1"}, {"compiler", "GCC"}, {"threads", 2},
-                    {"seconds", 1},   {"date", "2026-01-01"}};
+    made["made"] = {{"version", "1"},
+                    {"compiler", "GCC"},
+                    {"threads", 2},
+                    {"seconds", 1},
+                    {"date", "2026-01-01"}};
     const auto page = report::page_source(report::page_template(data.at("report")));
     return filled_page(page, report::results_of(made));
   }
@@ -49,14 +52,13 @@ TEST_F(ComparisonStudy, FillsEveryPageWithWhatItsNamesAskFor) {
     folders.insert(page.at("folder").get<std::string>());
     EXPECT_THAT(filled(page.at("data")), testing::StartsWith("# ")) << page.at("folder");
   }
-  EXPECT_EQ(folders,
-            (std::set<std::string>{"bowl", "cup", "robustness", "solvers", "view"}));
+  EXPECT_EQ(folders, (std::set<std::string>{"bowl", "cup", "robustness", "solvers", "view"}));
 }
 
 TEST_F(ComparisonStudy, HasAMapOfWhoSolvesWhat) {
-  const report::Results results = report::results_in(
-      data_of("[[part]]\nproblems = [\"bowl-1\", \"cup-s\"]\nsolvers = \"*\"\n"
-              "budgets = [100]\ninstances = 2\n"));
+  const report::Results results =
+      report::results_in(data_of("[[part]]\nproblems = [\"bowl-1\", \"cup-s\"]\nsolvers = \"*\"\n"
+                                 "budgets = [100]\ninstances = 2\n"));
   const Table& map = *results.table("map");
   ASSERT_EQ(map.rows.size(), 3U);
   EXPECT_TRUE(map.has("bowl"));

@@ -39,8 +39,14 @@ inline FoundReport found_comparison() {
   results.set("suite", 3);
   results.set("digest", "0123abcd");
   ricochet::Table leaders{"leaders",
-                          {{"family"}, {"budget"}, {"first"}, {"returned"}, {"best"}, {"takes"},
-                           {"problems"}, {"most"}}};
+                          {{"family"},
+                           {"budget"},
+                           {"first"},
+                           {"returned"},
+                           {"best"},
+                           {"takes"},
+                           {"problems"},
+                           {"most"}}};
   leaders.add("count", 100, "scan, count", 0.5, 0.8, 2, 2, std::nullopt);
   results.add(std::move(leaders));
   FoundReport report = made_up("comparison", json_of(results), "comparison");

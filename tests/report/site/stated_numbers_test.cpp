@@ -32,9 +32,8 @@ std::string bytes_of(const std::string& file) {
 class Cases {
  public:
   Cases()
-      : results_(
-            report::results_of(report::data_in(bytes_of("reports/reference/reproduction/data.json")))) {
-  }
+      : results_(report::results_of(
+            report::data_in(bytes_of("reports/reference/reproduction/data.json")))) {}
 
   double value(const char* name) const {
     const Value* found = results_.value(name);

@@ -223,8 +223,7 @@ bool asks_in_vain(const std::string& line, const Scope& scope) {
 /// Says where the rows are that a page does not show.
 std::string rest_of(const ricochet::Table& table, std::size_t most, const Scope& scope) {
   return fmt::format("\nThe first {} of {} rows; all are in {}.\n", most, table.rows.size(),
-                     scope.path.empty() ? fmt::format("[{0}.csv]({0}.csv)", table.name)
-                                        : "[data.json](data.json)");
+                     scope.path.empty() ? fmt::format("`{}.csv`", table.name) : "`data.json`");
 }
 
 std::string table_markdown(const std::string& what, const Scope& scope) {
@@ -417,22 +416,50 @@ class Filler {
   Draw draw_;
 };
 
-/// Links to folders lead to their pages.
-std::string with_files(const std::string& markdown) {
+/// Every link passes through `change`, of its text and its target.
+std::string with_links(const std::string& markdown,
+                       const std::function<std::string(std::string, std::string)>& change) {
   std::string text;
   std::size_t start = 0;
-  while (true) {
-    const std::size_t link = markdown.find("](", start);
-    const std::size_t end = link == std::string::npos ? link : markdown.find(')', link);
+  for (std::size_t link = 0; (link = markdown.find("](", start)) != std::string::npos;) {
+    const std::size_t open = markdown.rfind('[', link);
+    const std::size_t end = markdown.find(')', link);
     if (end == std::string::npos) break;
-    const std::string target = markdown.substr(link + 2, end - link - 2);
-    const std::size_t hash = std::min(target.find('#'), target.size());
-    const bool folder = hash > 0 && target[hash - 1] == '/' && target.find("://") == target.npos;
-    text += markdown.substr(start, link + 2 - start) + target.substr(0, hash) +
-            (folder ? "summary.md" : "") + target.substr(hash);
-    start = end;
+    if (open == std::string::npos || open < start) {
+      text += markdown.substr(start, end - start);
+    } else {
+      text += markdown.substr(start, open - start) +
+              change(markdown.substr(open + 1, link - open - 1),
+                     markdown.substr(link + 2, end - link - 2));
+    }
+    start = end + (open == std::string::npos || open < start ? 0 : 1);
   }
   return text + markdown.substr(start);
+}
+
+/// Documents and the live page are pages of the site, without a Markdown file.
+bool is_of_the_site(const std::string& target) {
+  const std::size_t start = std::min(target.find_first_not_of("./"), target.size());
+  return target.find("://") == target.npos &&
+         (target.compare(start, 5, "docs/") == 0 || target.compare(start, 5, "live/") == 0);
+}
+
+/// Links to folders lead to their pages.
+std::string with_files(const std::string& markdown) {
+  return with_links(markdown, [](const std::string& text, const std::string& target) {
+    const std::size_t hash = std::min(target.find('#'), target.size());
+    const bool folder = hash > 0 && target[hash - 1] == '/' && target.find("://") == target.npos;
+    const char* file = is_of_the_site(target) ? "index.html" : "summary.md";
+    return fmt::format("[{}]({}{}{})", text, target.substr(0, hash), folder ? file : "",
+                       target.substr(hash));
+  });
+}
+
+/// A file of Markdown alone has no pages of a site beside it.
+std::string without_the_site(const std::string& markdown) {
+  return with_links(markdown, [](const std::string& text, const std::string& target) {
+    return is_of_the_site(target) ? text : fmt::format("[{}]({})", text, target);
+  });
 }
 
 }  // namespace
@@ -515,7 +542,7 @@ PageFiles page_files(const PageSource& page, const Results& results,
     view["command"] = ricochet::text_of(*command);
   }
   written.files["index.html"] = page_html(markdown, pictures, view);
-  written.files["summary.md"] = std::move(markdown);
+  written.files["summary.md"] = without_the_site(markdown);
   return written;
 }
 

@@ -143,11 +143,12 @@ Pixels pixels_of(const Series& series, const Chart& chart, const Frame& frame) {
   return drawn;
 }
 
-/// Whether each pixel is one of the others or beside one.
+/// Whether each pixel has one of the others at most two pixels to its side and two above or below:
+/// lines are nearly as broad.
 bool within(const Pixels& pixels, const Pixels& others) {
   return std::ranges::all_of(pixels, [&](const auto& pixel) {
-    for (const long across : {0, -1, 1})
-      for (const long down : {0, -1, 1})
+    for (const long across : {0, -1, 1, -2, 2})
+      for (const long down : {0, -1, 1, -2, 2})
         if (others.contains({pixel.first + across, pixel.second + down})) return true;
     return false;
   });
@@ -231,7 +232,15 @@ class Layout {
     place_x_ticks();
     make_room_for_x_ticks();
     place_bottom();
-    if (legend_beside_) place_legend_beside();
+    if (legend_beside_) {
+      double lines = 0;
+      for (const LegendEntry& entry : frame_.legend)
+        lines += static_cast<double>(entry.lines.size());
+      const Pixel first{frame_.plot.right + 14, frame_.plot.top + 10};
+      const double distance = std::clamp(frame_.plot.height() / lines, 14.0, 20.0);
+      const double bottom = first.y + place_legend(first, distance) + 8;
+      frame_.height = std::max(frame_.height, static_cast<int>(std::ceil(bottom)));
+    }
     place_labels();
     return std::move(frame_);
   }
@@ -314,7 +323,10 @@ class Layout {
     const double above = frame_.names_above ? below_ : 0;
     frame_.plot.top += above;
     double below = below_ + label_height(x_label_);
-    if (!frame_.legend.empty() && !legend_beside_) below += 4 + place_legend_below(below + 4);
+    if (!frame_.legend.empty() && !legend_beside_) {
+      below += edge + text_height;  // the plot's bottom is not known yet
+      below += place_legend({frame_.plot.left, below}, text_height);
+    }
     const double beside = std::min(below, widest_side * chart_.height);
     const double least = chart_.y.categories.empty()
                              ? least_height
@@ -327,36 +339,23 @@ class Layout {
     for (LegendEntry& entry : frame_.legend) entry.place.y += frame_.plot.bottom;
   }
 
-  /// Places the legend relative to the plot's bottom, which is not known yet, `below` it. Returns
-  /// the height of all lines.
-  double place_legend_below(double below) {
-    const double left = frame_.plot.left;
-    Pixel next{left, below + text_height};
-    double more = 0;  // of lines in this row
+  /// Places the legend's entries from the first place on, in rows that end with the picture, or
+  /// beside the plot one below the other. Returns the distance down to the last line.
+  double place_legend(const Pixel& first, double distance) {
+    Pixel next = first;
+    double more = 0;  // lines in this row
     for (LegendEntry& entry : frame_.legend) {
       const double width = key_width + 6 + report::widest(entry.lines);
-      if (next.x > left && next.x + width > frame_.width) {
-        next = {left, next.y + more + text_height};
+      if (next.x > first.x && (legend_beside_ || next.x + width > frame_.width)) {
+        next = {first.x, next.y + more + distance};
         more = 0;
       }
       entry.place = next;
       next.x += width + 18;
       more = std::max(more, label_height(entry.lines) - text_height);
-      frame_.width = std::max(frame_.width, static_cast<int>(std::ceil(left + width + edge)));
+      frame_.width = std::max(frame_.width, static_cast<int>(std::ceil(first.x + width + edge)));
     }
-    return next.y + more - below;
-  }
-
-  void place_legend_beside() {
-    double lines = 0;
-    for (const LegendEntry& entry : frame_.legend) lines += static_cast<double>(entry.lines.size());
-    const double distance = std::clamp(frame_.plot.height() / lines, 14.0, 20.0);
-    double y = frame_.plot.top + 10;
-    for (LegendEntry& entry : frame_.legend) {
-      entry.place = {frame_.plot.right + 14, y};
-      y += distance + label_height(entry.lines) - text_height;
-    }
-    frame_.height = std::max(frame_.height, static_cast<int>(std::ceil(y - distance + 8)));
+    return next.y + more - first.y;
   }
 
   /// In the middle of their axes, as far as they stay within the picture.

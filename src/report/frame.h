@@ -81,8 +81,8 @@ struct Frame {
 
 /// Long labels are broken into lines, and the picture grows where texts need room; only names of
 /// positions that would take more than 420 pixels are shortened. In the legend stands what is seen
-/// within the plot; series that lie within a pixel of each other share an entry. Limits of colours
-/// with values on both sides of zero are symmetric.
+/// within the plot; series that lie within two pixels of each other share an entry. Limits of
+/// colours with values on both sides of zero are symmetric.
 Frame frame_of(const Chart& chart);
 
 /// Returns the labels of reference lines, without duplicates.

@@ -18,7 +18,7 @@ TEST(ReportCommand, FailsWhereAChartCannotBeDrawnAndDrawsAllOthers) {
   report::Json data =
       report::data_in(read(RICOCHET_SOURCE "/reports/reference/surrogate/data.json"));
   data["charts"]["speed-gap"]["series"][0]["samples"][0][1] = 1e200;
-  write(folder, "data.json", report::data_text(data));
+  write(folder, "data.json", report::json_text(data));
   const Outcome outcome = call("report " + folder.string());
   EXPECT_EQ(outcome.exit_code, 2) << "the data are the input";
   EXPECT_EQ(outcome.err, "ricochet: " + (folder / "data.json").string() +

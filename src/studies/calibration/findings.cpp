@@ -234,10 +234,10 @@ Table frontier_of(const std::vector<RankedFit>& frontier) {
     std::string fixed = "none";
     for (const Unknown open : fitted_before) {
       if (contains(r.fit.free, open)) continue;
-      const std::string_view unit = constant_of(open).unit;
-      fixed = fmt::format("{} = {:.4g}{}{}", words_of(open),
-                          r.fit.constants[static_cast<std::size_t>(open)], unit.empty() ? "" : " ",
-                          unit);
+      std::string_view unit = constant_of(open).unit;
+      const double value = r.fit.constants[static_cast<std::size_t>(open)];
+      if (value == 1 && unit == "turns") unit = "turn";
+      fixed = fmt::format("{} = {:.4g}{}{}", words_of(open), value, unit.empty() ? "" : " ", unit);
     }
     table.add_row(row_of({value_of(r.fit.free.size()), value_of(fixed)}, r));
     fitted_before = r.fit.free;

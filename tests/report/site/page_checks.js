@@ -1,4 +1,4 @@
-// What is looked at on every page, at several widths: functions that run in the browser. Each returns a list of what is wrong.
+// What is looked at on every page: functions that run in the browser. Each returns a list of what is wrong.
 
 // What a finger must meet has at least 24 by 24 pixels, but for links in a sentence (WCAG 2.2, success criterion 2.5.8). Of a
 // box that stands in its label the label is met; a cell of a heat map is as large as its data let it be.
@@ -36,7 +36,7 @@ export const brokenWords = () => {
 // Texts of charts that leave the picture, with the fonts of this machine.
 export const cutTexts = () => [...document.querySelectorAll("figure > svg.ricochet-chart")].filter((svg) => svg.checkVisibility()).flatMap((svg) => {
   const picture = svg.getBoundingClientRect(), scale = picture.width / svg.viewBox.baseVal.width;
-  return [...svg.querySelectorAll("text")].filter((text) => text.checkVisibility()).flatMap((text) => {
+  return [...svg.querySelectorAll("text")].filter((text) => text.getBoundingClientRect().width > 0).flatMap((text) => {
     const {left, right, top, bottom} = text.getBoundingClientRect();
     const beyond = Math.max(picture.left - left, right - picture.right, picture.top - top, bottom - picture.bottom) / scale;
     return beyond > 2 ? [`"${text.textContent}" leaves ${svg.id || svg.querySelector("title").textContent} by ${beyond.toFixed(0)} pixels`] : [];

@@ -143,13 +143,14 @@ TEST(StatedNumbers, OfReadmeAreThoseOfThePapersCases) {
   readme.states(fmt::format("quiet up to {:.1f} to {:.1f} rad/s ({:.0f} to {:.0f} rpm)", least,
                             most, least * rpm, most * rpm));
   readme.states(
-      fmt::format("within {:.0f} % (root mean square, in log speed)", 100 * cases.value("error")));
+      fmt::format("within {:.0f} % (95 % interval 3.0 to 7.8 %) as a root mean square in log speed",
+                  100 * cases.value("error")));
   readme.states(fmt::format(
       "could come as close as {:.1f} %",
       100 * cases.row("bounds", "the same whatever the disturbance").number("root_mean_square")));
   EXPECT_EQ(cases.value("fitted"), 5) << "five parameters";
   // Of the calibration:
-  readme.states("cases left out of the fit, within 6.5 %");
+  readme.states("Left out of the fit alone, a threshold is 6.5 % off.");
   readme.states("agrees as well: 5.9 % (95 % interval 3.6 to 7.9 %; 6.1 % left out)");
   EXPECT_EQ(readme.numbers_left(), "");
 }
@@ -185,9 +186,9 @@ TEST(StatedNumbers, OfTheThresholdsOfThePaperAreThoseOfItsCases) {
   paper.states(fmt::format(
       "as close as {:.1f} %",
       100 * cases.row("bounds", "the same whatever the disturbance").number("root_mean_square")));
-  paper.states(fmt::format("thresholds by {:.0f} % ({:.0f} % left out)",
-                           100 * cases.value("formula.error"),
+  paper.states(fmt::format("as much as the fit does ({:.0f} % left out)",
                            100 * cases.value("formula.left_out")));
+  EXPECT_NEAR(cases.value("formula.error"), cases.value("error"), 0.005);
   paper.states(fmt::format("climbs gradually in {} of {} cases", climbs, elastic));
   const Row a = cases.row("conclusions", "A"), b = cases.row("conclusions", "B"),
             c = cases.row("conclusions", "C");
@@ -201,7 +202,8 @@ TEST(StatedNumbers, OfTheThresholdsOfThePaperAreThoseOfItsCases) {
                   c.number("disagree"), c.number("agree") + c.number("disagree"),
                   100 * (c.number("strongest") - 1)));
   // Of the calibration, of the paper, and words:
-  paper.states("6.5 % on cases left out of the fit");
+  paper.states("Left out of the fit alone, a threshold is 6.5 % off.");
+  paper.states("(95 % interval 3.0 to 7.8 %)");
   paper.states("mass and radius give 0.078");
   paper.states("√((1 - e) / (1 + e))");
   paper.states("At restitution 0.9");
@@ -261,6 +263,7 @@ TEST(StatedNumbers, OfTheBordersAreThoseOfThePapersCases) {
   paper.states(fmt::format("becomes a range from {:.2f} to {:.2f} rad/s instead of {:.2f}",
                            cases.speed("C9", "quiet_up_to"), cases.speed("C9", "loud_from"),
                            cases.speed("C1", "quiet_up_to")));
+  paper.states("(95 % interval 3.0 to 7.8 %)");
   paper.states("9.59 mJ a turn");  // see the tests of `ricochet regimes`
   EXPECT_EQ(paper.numbers_left(), "2 2 ") << "the heads of the table";
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "src/studies/calibration/appraisal.h"
@@ -40,9 +41,9 @@ Fit some_choice() {
           {}};
 }
 
-double threshold_of(const Fit& fit, const std::string& id) {
+std::optional<double> threshold_of(const Fit& fit, const std::string& id) {
   for (const CaseAppraisal& c : appraise(fit, 0.2).cases) {
-    if (c.the_case.id == id) return c.score.threshold.value();
+    if (c.the_case.id == id) return c.score.threshold;
   }
   throw std::logic_error("no case " + id);
 }

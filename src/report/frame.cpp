@@ -328,9 +328,9 @@ class Layout {
       below += place_legend({frame_.plot.left, below}, text_height);
     }
     const double beside = std::min(below, widest_side * chart_.height);
-    const double least = chart_.y.categories.empty()
-                             ? least_height
-                             : row_height * static_cast<double>(frame_.y_ticks.size());
+    const double rows =
+        chart_.y.categories.empty() ? 0 : static_cast<double>(frame_.y_ticks.size());
+    const double least = std::max(least_height, row_height * rows);
     const double height = std::max(least, chart_.height + above - frame_.plot.top - beside - 8);
     frame_.plot.bottom = frame_.plot.top + std::floor(height);
     const double upright = std::max(report::widest(y_label_), report::widest(colour_label_));

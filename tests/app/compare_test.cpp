@@ -47,7 +47,7 @@ TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   EXPECT_FALSE(family.table("formulations")->rows.empty());
   const report::Results all = report::results_in(data);
   EXPECT_FALSE(all.table("relocated-optima")->rows.empty());
-  EXPECT_EQ(*all.value("relocated"), Value("1 problem of 1 variable"));
+  EXPECT_EQ(*all.value("relocated"), Value("1 problem of 1 variable, 1 problem of 2 variables"));
 }
 
 TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {

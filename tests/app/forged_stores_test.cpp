@@ -184,7 +184,7 @@ TEST_F(ForgedStores, AreToldFromStoresWhoseRunsWereRepeated) {
   EXPECT_THAT(by_default.at("verified"),
               testing::MatchesRegex("20 of [0-9]+ runs, drawn at random, were repeated to the last "
                                     "bit by .+ with ricochet .+ on 20[0-9-]+"));
-  EXPECT_EQ(by_default.at("joined"), "1 stores");
+  EXPECT_EQ(by_default.at("joined"), "1 store");
   EXPECT_THAT(merged("b", "--verify 3").at("verified"), testing::StartsWith("3 of "));
   EXPECT_THAT(merged("c", "--verify 0").at("verified"), HasSubstr("runs was repeated"));
   fs::create_directory(folder_ / "there");
@@ -193,7 +193,7 @@ TEST_F(ForgedStores, AreToldFromStoresWhoseRunsWereRepeated) {
       call(fmt::format("run {0}/plan.toml --out {0}/there --resume", folder_.string())).exit_code,
       0);
   EXPECT_THAT(read(folder_ / "there" / "summary.md"),
-              HasSubstr("The runs of 1 stores were joined. Of these runs, 3 of "));
+              HasSubstr("The runs of 1 store were joined. Of these runs, 3 of "));
   EXPECT_THAT(read(folder_ / "made" / "summary.md"), testing::Not(HasSubstr("were joined")));
   ASSERT_EQ(
       call(fmt::format("run {0}/plan.toml --out {0}/from --from {1}", folder_.string(), honest_))

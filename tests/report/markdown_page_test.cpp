@@ -69,9 +69,8 @@ TEST(MarkdownPage, LeavesOutASectionThatHasNothingOfWhatItAsksFor) {
 }
 
 TEST(MarkdownPage, ShowsTheFirstRowsOfALongTable) {
-  EXPECT_EQ(
-      filled_text("{{rows 1}}\n| case |\n|:--|\n| {{cases.id}} |\n", results()),
-      "| case |\n|:--|\n| C1 |\n\nThe first 1 of 2 rows; all are in `cases.csv`.\n");
+  EXPECT_EQ(filled_text("{{rows 1}}\n| case |\n|:--|\n| {{cases.id}} |\n", results()),
+            "| case |\n|:--|\n| C1 |\n\nThe first 1 of 2 rows; all are in `cases.csv`.\n");
 }
 
 TEST(MarkdownPage, RepeatsALineForEachRow) {
@@ -87,9 +86,9 @@ TEST(MarkdownPage, RepeatsALineForEachRow) {
 TEST(MarkdownPage, ShowsTables) {
   EXPECT_THAT(filled_text("{{table cases}}\n", results()),
               AllOf(HasSubstr("| id | threshold [rad/s] |\n"), HasSubstr("| C1 | 8.05 |\n")));
-  EXPECT_THAT(filled_text("{{table cases 1}}\n", results()),
-              AllOf(HasSubstr("The first 1 of 2 rows; all are in `cases.csv`."),
-                    Not(HasSubstr("C2"))));
+  EXPECT_THAT(
+      filled_text("{{table cases 1}}\n", results()),
+      AllOf(HasSubstr("The first 1 of 2 rows; all are in `cases.csv`."), Not(HasSubstr("C2"))));
 }
 
 TEST(MarkdownPage, RepeatsABlockForEachPart) {

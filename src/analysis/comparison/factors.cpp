@@ -117,8 +117,9 @@ report::Chart effect_chart(const std::string& family,
           {static_cast<double>(k), 100 * effect, report::Range{100 * lower, 100 * upper}});
       if (!excludes_zero(lower, upper) || std::abs(effect) <= largest) continue;
       largest = std::abs(effect);
-      chart.title = fmt::format("{}: {} changes a success rate most, by {:+.0f} points ({})",
-                                family, chart.x.categories.at(k), 100 * effect, entry);
+      chart.title =
+          fmt::format("{}: {} changes a success rate most, {:.0f} points {} ({})", family,
+                      chart.x.categories.at(k), 100 * largest, effect > 0 ? "up" : "down", entry);
     }
   }
   return chart;

@@ -115,11 +115,6 @@ Results site_results(const std::vector<FoundReport>& reports) {
   }
   site.add(std::move(table));
   site.add(std::move(missing));
-  if (site.table("comparison-leaders") != nullptr) {
-    site.set("which-solver",
-             "- **Which solver?** [Ask the runs](comparison/view/) for your number of variables, "
-             "budget and noise; [everything about one solver](comparison/solvers/).");
-  }
   site.set("bibtex", bibtex(year));
   site.set("citation", embedded::citation);
   return site;

@@ -428,9 +428,9 @@ std::string with_links(const std::string& markdown,
     if (open == std::string::npos || open < start) {
       text += markdown.substr(start, end - start);
     } else {
-      text += markdown.substr(start, open - start) +
-              change(markdown.substr(open + 1, link - open - 1),
-                     markdown.substr(link + 2, end - link - 2));
+      text +=
+          markdown.substr(start, open - start) + change(markdown.substr(open + 1, link - open - 1),
+                                                        markdown.substr(link + 2, end - link - 2));
     }
     start = end + (open == std::string::npos || open < start ? 0 : 1);
   }

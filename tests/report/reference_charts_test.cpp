@@ -17,7 +17,8 @@ TEST(ReferenceCharts, HaveTheirTextsWholeAndInThePicture) {
   for (const auto& file : fs::recursive_directory_iterator(RICOCHET_SOURCE "/reports/reference")) {
     if (file.path().extension() != ".svg") continue;
     const fs::path name = file.path().filename();
-    if (name == "machine-sketch.svg" || name == "machine.svg") continue;  // drawn by hand, in groups
+    if (name == "machine-sketch.svg" || name == "machine.svg")
+      continue;  // drawn by hand, in groups
     std::ifstream stream(file.path(), std::ios::binary);
     const ReadSvg svg({std::istreambuf_iterator<char>(stream), {}});
     EXPECT_EQ(svg.cut_texts(), "") << file.path();

@@ -348,7 +348,8 @@ std::string palette_colour(double share, bool diverging) {
 
 std::string text_colour(const std::string& colour) {
   double luminance = 0;  // as WCAG 2.2 defines it
-  for (const auto& [from, weight] : {std::pair{1, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
+  for (const auto& [from, weight] :
+       {std::pair<std::size_t, double>{1, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
     const double part = std::stoi(colour.substr(from, 2), nullptr, 16) / 255.0;
     luminance += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
   }

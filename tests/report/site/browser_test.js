@@ -197,7 +197,7 @@ for (const name of pages.filter((file) => fs.readFileSync(path.join(folder, file
   const still = await open(name, {script: false}), moving = await open(name);
   const all = await still.$$eval(".choice", (parts) => parts.length);
   check(await visible(still, ".choice") === all, `${name}: without a script not every part is seen`);
-  const lists = await moving.$$eval(".choices", (found) => found.map((one, i) => { one.id ||= `choices-${i}`; return {id: one.id, parts: [...one.children].filter((part) => part.className.startsWith("choice")).map((part) => part.id)}; }));
+  const lists = await moving.$$eval(".choices", (found) => found.map((one, i) => { one.id ||= `choices-${i}`; return {id: one.id, parts: [...one.children].filter((part) => part.classList.contains("choice")).map((part) => part.id)}; }));
   for (const {id, parts} of lists.filter((one) => one.parts.length > 1)) {
     ++choosers;
     const last = parts.at(-1);

@@ -119,7 +119,7 @@ std::optional<double> slope_of(const Fit& fit, const Case& c, Unknown open, doub
   const UnknownParameter& bounds = unknown_parameters()[i];
   std::array<double, 2> at{};
   std::array<double, 2> thresholds{};
-  for (const std::size_t side : {0, 1}) {
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     const double sign = side == 0 ? -1 : 1;
     Constants constants = fit.constants;
     if (bounds.logarithmic) {

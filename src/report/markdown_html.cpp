@@ -343,10 +343,7 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures,
       scripts.push_back(part);
     }
   }
-  const bool chooses = !main.find_node([](const pugi::xml_node& node) {
-                              return std::string_view(node.attribute("class").value()) == "choices";
-                            })
-                            .empty();
+  const bool chooses = markdown.find("<!-- choose:") != std::string::npos;
   if (chooses) scripts.push_back(embedded::choose_script);
   if (!later.empty()) scripts.push_back(embedded::chart_data_script);
   if (refiner.has_links()) scripts.push_back(embedded::chart_links_script);

@@ -67,7 +67,7 @@ std::vector<std::string> drawn_again(const std::string& from, const std::string&
     return *failures;
   }
   std::vector<std::string> failures = report::redraw_report(from, out).failures;
-  const std::vector<std::string> above = site::write_site_above(out);
+  const std::vector<std::string> above = site::write_site_above(out, site::reference_folder());
   failures.insert(failures.end(), above.begin(), above.end());
   fmt::print("The report: {}\n", page);
   return failures;

@@ -17,12 +17,11 @@
 #include "embedded/sheet_template.h"
 #include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
+#include "embedded/view_form.h"
 #include "embedded/view_look.h"
 #include "embedded/view_ranks_script.h"
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
-#include "embedded/view_template.h"
-#include "src/report/page.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -154,8 +153,8 @@ class Arranger {
 /// Changes what is inside the sections.
 class Refiner {
  public:
-  Refiner(const PagePictures& pictures, std::map<std::string, std::string>& later)
-      : pictures_(pictures), later_(later) {}
+  Refiner(const HtmlOptions& options, std::map<std::string, std::string>& later)
+      : options_(options), later_(later) {}
 
   void refine(pugi::xml_node node) {
     std::vector<pugi::xml_node> children;
@@ -167,7 +166,8 @@ class Refiner {
         continue;
       }
       refine(child);
-      if (is(child, "a")) lead(child);
+      if (is(child, "a")) lead(child, "href");
+      if (is(child, "img")) lead(child, "src");
       if (is(child, "pre")) put_attribute(child, "tabindex", "0");
       if (is(child, "table")) arrange(child);
     }
@@ -178,13 +178,13 @@ class Refiner {
 
  private:
   bool is_picture(const pugi::xml_node& node) const {
-    return is(node, "img") && pictures_.count(node.attribute("src").value()) > 0;
+    return is(node, "img") && options_.pictures.contains(node.attribute("src").value());
   }
 
   /// The picture stands in the page once all else is written, since scripts are no XML.
   void make_figure(pugi::xml_node paragraph) {
     const pugi::xml_node image = paragraph.first_child();
-    const auto& [chart, drawn] = pictures_.at(image.attribute("src").value());
+    const auto& [chart, drawn] = options_.pictures.at(image.attribute("src").value());
     paragraph.remove_child(image);
     paragraph.set_name("figure");
     if (chart.width >= wide_chart) {
@@ -229,12 +229,13 @@ class Refiner {
     }
   }
 
-  static void lead(pugi::xml_node link) {
-    std::string target = link.attribute("href").value();
-    const std::size_t file = target.find("summary.md");
-    if (file != std::string::npos && target.find("://") == std::string::npos)
-      target.replace(file, 10, "index.html");
-    link.attribute("href") = target.c_str();
+  void lead(pugi::xml_node link, const char* attribute) const {
+    const std::string to = options_.target(link.attribute(attribute).value());
+    const std::string alternative = link.attribute("alt").value();
+    if (!alternative.empty()) link.append_child(pugi::node_pcdata).set_value(alternative.c_str());
+    link.set_name(to.empty() ? "span" : "a");
+    link.remove_attributes();
+    if (!to.empty()) put_attribute(link, "href", to);
   }
 
   /// Good and bad are said by a sign and a colour.
@@ -304,7 +305,7 @@ class Refiner {
     frame.append_move(table);
   }
 
-  const PagePictures& pictures_;
+  const HtmlOptions& options_;
   std::map<std::string, std::string>& later_;
   std::string heading_;
   int tables_ = 0;
@@ -318,48 +319,86 @@ std::string inner_html(const pugi::xml_node& node) {
   return stream.str();
 }
 
+void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
+  for (const pugi::xml_node& node : from.children()) {
+    if (is(node, "section")) {
+      add_parts(node, parts);
+    } else if (is_heading(node)) {
+      const auto of = is(node, "h2") ? node.parent() : node;
+      parts.push_back({text_of(node), of.attribute("id").value(), ""});
+    } else if (!parts.empty()) {
+      parts.back().text += text_of(node) + " ";
+    }
+  }
+}
+
+std::string contents_html(const pugi::xml_node& main) {
+  std::string list;
+  for (const pugi::xml_node& section : main.children("section"))
+    list += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.attribute("id").value(),
+                        escape_html(text_of(section.child("h2"))));
+  return "<nav class=\"contents\" aria-labelledby=\"page-contents\">\n<h2 "
+         "id=\"page-contents\">Contents"
+         "</h2>\n<ol>\n" +
+         list + "</ol>\n</nav>\n";
+}
+
 }  // namespace
 
-std::string page_html(const std::string& markdown, const PagePictures& pictures, const Json& view) {
+std::string to_page(const std::string& link) {
+  const std::size_t file = link.find("summary.md");
+  if (file == std::string::npos || link.find("://") != std::string::npos) return link;
+  return link.substr(0, file) + "index.html" + link.substr(file + 10);
+}
+
+HtmlPage html_page(const std::string& markdown, const HtmlOptions& options) {
   pugi::xml_document tree;
   load(tree, markdown);
   pugi::xml_node header = tree.append_child("header"), main = tree.append_child("main");
   const Arranger arranger(tree.first_child(), header, main);
+  HtmlPage page{text_of(header.child("h1")), "", {}};
+  add_parts(header, page.parts);
+  add_parts(main, page.parts);
   std::map<std::string, std::string> later;
-  Refiner refiner(pictures, later);
+  Refiner refiner(options, later);
   refiner.refine(header);
   refiner.refine(main);
 
-  Json contents = Json::array(), scripts = Json::array();
-  for (const pugi::xml_node& section : main.children("section"))
-    contents.push_back({{"id", section.attribute("id").value()},
-                        {"heading", escape_html(text_of(section.child("h2")))}});
-  if (!view.is_null()) {
-    const Json data = {{"data", json_in_script(view.dump())}};
-    later[view_place] = filled(embedded::view_template, {&data});
-    for (const char* part :
-         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
-          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
-      scripts.push_back(part);
-    }
+  std::vector<std::string> scripts;
+  if (!options.view.is_null()) {
+    later[view_place] =
+        with_slots(embedded::view_form, {{"data", json_in_script(options.view.dump())}});
+    scripts = {embedded::chart_axes_script, embedded::view_runs_script,
+               embedded::view_ranks_script, embedded::view_choice_script,
+               embedded::view_chart_script, embedded::view_script};
   }
-  const bool chooses = markdown.find("<!-- choose:") != std::string::npos;
-  if (chooses) scripts.push_back(embedded::choose_script);
-  if (!later.empty()) scripts.push_back(embedded::chart_data_script);
-  if (refiner.has_links()) scripts.push_back(embedded::chart_links_script);
-  const Json data = {
-      {"title", escape_html(text_of(header.child("h1")))},
-      {"look", std::string(embedded::look) + (view.is_null() ? "" : embedded::view_look)},
-      {"header", inner_html(header)},
-      {"contents", std::move(contents)},
-      {"main", inner_html(main)},
-      {"scripts", std::move(scripts)}};
-  std::string html = filled(embedded::sheet_template, {&data});
+  if (markdown.find("<!-- choose:") != std::string::npos)
+    scripts.emplace_back(embedded::choose_script);
+  if (!later.empty()) scripts.emplace_back(embedded::chart_data_script);
+  if (refiner.has_links()) scripts.emplace_back(embedded::chart_links_script);
+  const std::string body = fmt::format(
+      "<header>\n{}\n</header>\n<div class=\"columns\">\n{}<main "
+      "id=\"page-content\">\n{}\n</main>\n"
+      "</div>",
+      inner_html(header), contents_html(main), inner_html(main));
+  page.html =
+      sheet_html(page.title, body,
+                 options.look + (options.view.is_null() ? "" : embedded::view_look), scripts);
   for (const auto& [mark, picture] : later) {
-    const std::size_t place = html.find(mark);
-    if (place != std::string::npos) html.replace(place, mark.size(), picture);
+    const std::size_t place = page.html.find(mark);
+    if (place != std::string::npos) page.html.replace(place, mark.size(), picture);
   }
-  return html;
+  return page;
+}
+
+std::string sheet_html(const std::string& title, const std::string& body, const std::string& look,
+                       const std::vector<std::string>& scripts) {
+  std::string elements;
+  for (const std::string& script : scripts) elements += "<script>\n" + script + "</script>\n";
+  return with_slots(embedded::sheet_template, {{"title", escape_html(title)},
+                                               {"look", embedded::look + look},
+                                               {"body", body},
+                                               {"scripts", elements}});
 }
 
 }  // namespace ricochet::report

@@ -462,6 +462,17 @@ std::string without_the_site(const std::string& markdown) {
   });
 }
 
+/// A page of the reference says so below its title.
+std::string with_origin(const std::string& markdown, const Results& results) {
+  const Value *reference = results.value("made.reference"), *date = results.value("made.date");
+  if (reference == nullptr || *reference != Value(true)) return markdown;
+  const std::size_t title = std::min(markdown.find("\n\n"), markdown.size());
+  return fmt::format("{}\n\n*Of the committed reference{}: this machine has not computed it.*{}",
+                     markdown.substr(0, title),
+                     date == nullptr ? "" : ", computed on " + ricochet::text_of(*date),
+                     markdown.substr(title));
+}
+
 }  // namespace
 
 std::string filled_line(std::string_view line, const Results& results) {
@@ -509,7 +520,7 @@ std::string terminal_text(const PageSource& page, const Results& results) {
 PageFiles page_files(const PageSource& page, const Results& results,
                      const std::map<std::string, std::string>& further) {
   PageFiles written;
-  PagePictures pictures;
+  std::map<std::string, Picture> pictures;
   for (const auto& [name, svg] : further) {
     pictures[name + ".svg"] = {Chart{.name = "", .width = 900}, DrawnChart{name, "", svg}};
     written.files[name + ".svg"] = svg;
@@ -525,7 +536,7 @@ PageFiles page_files(const PageSource& page, const Results& results,
     if (drawn.is_drawn()) pictures[chart.name + ".svg"] = {chart, std::move(drawn)};
     return markdown;
   });
-  std::string markdown = with_files(filler.page(page, results));
+  std::string markdown = with_origin(with_files(filler.page(page, results)), results);
   for (const ricochet::Table& table : results.tables) {
     if (!table.rows.empty() && !table.name.starts_with("view-"))
       written.files[table.name + ".csv"] = csv_of(table);
@@ -541,7 +552,8 @@ PageFiles page_files(const PageSource& page, const Results& results,
   if (const Value* command = results.value("command"); command != nullptr && !view.is_null()) {
     view["command"] = ricochet::text_of(*command);
   }
-  written.files["index.html"] = page_html(markdown, pictures, view);
+  written.files["index.html"] =
+      html_page(markdown, {.pictures = std::move(pictures), .view = std::move(view)}).html;
   written.files["summary.md"] = without_the_site(markdown);
   return written;
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/report/page.h"
+#include "src/report/report_files.h"
 #include "src/report/results.h"
 
 namespace ricochet::report {

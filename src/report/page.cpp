@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -20,13 +18,11 @@
 #include "embedded/summary_template.h"
 #include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
+#include "embedded/view_form.h"
 #include "embedded/view_look.h"
 #include "embedded/view_ranks_script.h"
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
-#include "embedded/view_template.h"
-#include "src/core/files.h"
-#include "src/core/instance.h"
 #include "src/report/chart.h"
 #include "src/report/drawing.h"
 #include "src/report/page_template.h"
@@ -193,7 +189,7 @@ Json list_under(const char* key, Named named) {
 Json view_html(const Json& view) {
   if (view.is_null()) return nullptr;
   const Json data = {{"data", json_in_script(packed(view).dump())}};
-  return filled(embedded::view_template, {&data});
+  return filled(embedded::view_form, {&data});
 }
 
 /// The charts of a page, by their names.
@@ -319,72 +315,6 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);
   return failures;
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A line for each file: a hash of its text, and its name.
-constexpr const char* manifest_name = "manifest.txt";
-
-std::string hash_of(const std::string& text) {
-  return fmt::format("{:016x}", seed_of(text, "", 0, 0));
-}
-
-std::string manifest_of(const FileSet& files) {
-  std::string lines;
-  for (const auto& [name, text] : files) lines += fmt::format("{} {}\n", hash_of(text), name);
-  return lines;
-}
-
-/// Empty if there is no such file.
-std::string content_of(const fs::path& file) {
-  std::error_code none;
-  return fs::is_regular_file(file, none) ? text_of_file(file) : "";
-}
-
-/// Returns the files of an earlier report that are unchanged and that no new file replaces.
-std::vector<fs::path> stale_files(const fs::path& folder, const FileSet& files) {
-  std::vector<fs::path> stale;
-  std::istringstream manifest(content_of(folder / manifest_name));
-  for (std::string hash, name; manifest >> hash && std::getline(manifest >> std::ws, name);) {
-    const fs::path path = folder / name;
-    const bool ours = fs::path(name).filename() == name &&
-                      fs::is_regular_file(fs::symlink_status(path)) &&
-                      hash_of(content_of(path)) == hash;
-    if (ours && !files.contains(name)) stale.push_back(path);
-  }
-  return stale;
-}
-
-/// Writes all texts to the disk.
-std::deque<TextDraft> drafts_of(const fs::path& folder, const FileSet& files) {
-  std::deque<TextDraft> drafts;
-  for (const auto& [name, text] : files)
-    drafts.emplace_back(folder / name, text, SymbolicLinks::refused);
-  return drafts;
-}
-
-}  // namespace
-
-void add_files(const fs::path& folder, const FileSet& files) {
-  const MadeFolder made(folder);
-  std::deque<TextDraft> drafts = drafts_of(folder, files);
-  const Uninterrupted whole;
-  for (TextDraft& draft : drafts) draft.commit();
-}
-
-void replace_files(const fs::path& folder, const FileSet& files) {
-  const MadeFolder made(folder);
-  std::deque<TextDraft> drafts = drafts_of(folder, files);
-  TextDraft manifest(folder / manifest_name, manifest_of(files), SymbolicLinks::refused);
-  const std::vector<fs::path> stale = stale_files(folder, files);
-  const Uninterrupted whole;
-  for (TextDraft& draft : drafts) draft.commit();
-  std::error_code ignored;
-  for (const fs::path& path : stale) fs::remove(path, ignored);
-  manifest.commit();
 }
 
 }  // namespace ricochet::report

@@ -179,6 +179,17 @@ Json cell_links_data(const Chart& chart, const CellLinks& links) {
           {"columns", std::move(columns)}};
 }
 
+std::string with_slots(std::string_view text, const std::map<std::string, std::string>& values) {
+  std::string result;
+  for (std::size_t start; (start = text.find("{{")) != std::string_view::npos;) {
+    const std::size_t end = text.find("}}", start);
+    result += text.substr(0, start);
+    result += values.at(std::string(text.substr(start + 2, end - start - 2)));
+    text.remove_prefix(end + 2);
+  }
+  return result += text;
+}
+
 namespace {
 
 namespace mustache = kainjow::mustache;

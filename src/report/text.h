@@ -60,6 +60,9 @@ struct CellLinks {
 /// its part of the address.
 Json cell_links_data(const Chart& chart, const CellLinks& links);
 
+/// The text with a value in place of each {{name}}. Throws std::out_of_range for another name.
+std::string with_slots(std::string_view text, const std::map<std::string, std::string>& values);
+
 /// Data in which a template looks up a name, from the last to the first.
 using Scopes = std::vector<const Json*>;
 

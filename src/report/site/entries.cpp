@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -13,6 +14,7 @@
 #include "src/core/names.h"
 #include "src/report/markdown_page.h"
 #include "src/report/page_template.h"
+#include "src/report/report_files.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -101,6 +103,7 @@ Made made_of(const Json& data) {
   made.compiler = read<std::string>(own, "compiler");
   made.seconds = read<double>(own, "seconds");
   made.quick = read<bool>(own, "quick");
+  made.reference = read<bool>(own, "reference").value_or(false);
   return made;
 }
 
@@ -140,6 +143,13 @@ std::map<std::string, std::optional<Json>> data_below(const fs::path& site) {
   return all;
 }
 
+std::set<std::string> kinds_computed(const std::vector<FoundReport>& reports) {
+  std::set<std::string> kinds;
+  for (const FoundReport& report : reports)
+    if (!report.made.reference) kinds.insert(report.kind.name);
+  return kinds;
+}
+
 }  // namespace
 
 std::vector<std::string> folders_of_data(const fs::path& site) {
@@ -159,7 +169,49 @@ std::vector<FoundReport> found_reports(const fs::path& site) {
       }
     }
   }
+  std::erase_if(reports, [computed = kinds_computed(reports)](const FoundReport& report) {
+    return report.made.reference && computed.contains(report.kind.name);
+  });
   return reports;
+}
+
+namespace {
+
+/// Copies the data of a report, and of its pages, which say that they are of the reference.
+void copy_of_reference(const fs::path& from, const fs::path& to, Json made) {
+  Json data = data_of(from).value();
+  made.update(data.value("made", Json::object()));
+  made["reference"] = true;
+  data["made"] = made;
+  for (const std::string& page : pages_in(data))
+    copy_of_reference(from / page, below(to, page), made);
+  report::add_files(to, {{"data.json", report::json_text(data)}});
+}
+
+}  // namespace
+
+std::vector<std::string> complete(const fs::path& site, const fs::path& reference) {
+  const std::set<std::string> computed = kinds_computed(found_reports(site));
+  std::vector<std::string> failures;
+  for (const FoundReport& report : found_reports(reference)) {
+    const fs::path folder = below(site, report.folder);
+    const auto there = data_of(folder);
+    std::error_code none;
+    const bool is_other = there ? !made_of(*there).reference : fs::exists(folder, none);
+    if (is_other || computed.contains(report.kind.name)) continue;
+    copy_of_reference(reference / report.folder, folder, Json::object());
+    const auto written = report::redraw_report(folder, folder);
+    failures.insert(failures.end(), written.failures.begin(), written.failures.end());
+  }
+  return failures;
+}
+
+std::optional<fs::path> reference_folder() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
+  fs::path folder = (program / "../../../../reports/reference").lexically_normal();
+  if (!fs::is_directory(folder, none)) return {};
+  return folder;
 }
 
 std::string label_of(const FoundReport& report) {

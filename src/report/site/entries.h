@@ -46,8 +46,19 @@ struct FoundReport {
 std::vector<std::string> folders_of_data(const std::filesystem::path& site);
 
 /// Returns the reports in the subfolders, in the order of their kinds, then of their names. Folders
-/// without the data of a known kind of report are ignored.
+/// without the data of a known kind of report are ignored, and so are those of the reference whose
+/// kind this machine has computed.
 std::vector<FoundReport> found_reports(const std::filesystem::path& site);
+
+/// Draws into a site what the reference has and the site has not computed, see Made::reference, so
+/// that the site is whole; a folder that has something else stays as it is. Returns a line for each
+/// chart that could not be drawn.
+std::vector<std::string> complete(const std::filesystem::path& site,
+                                  const std::filesystem::path& reference);
+
+/// The committed reference, in the source tree of the running program; nothing if the program is
+/// installed.
+std::optional<std::filesystem::path> reference_folder();
 
 /// Label in the navigation: that of its kind, with its folder if that has another name.
 std::string label_of(const FoundReport& report);

@@ -1,8 +1,10 @@
 #include "src/report/site/front.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "embedded/charts_script.h"
 #include "embedded/citation.h"
@@ -72,6 +74,22 @@ std::string bibtex(const std::string& year) {
       RICOCHET_VERSION, year.empty() ? "" : fmt::format("  year    = {{{}}},\n", year));
 }
 
+/// Which reports this machine has computed, where others are of the reference.
+std::string origins_of(const std::vector<FoundReport>& reports) {
+  std::vector<std::string> own;
+  std::set<std::string> dates;
+  for (const FoundReport& report : reports) {
+    if (!report.made.reference) own.push_back(label_of(report));
+    if (report.made.reference) dates.insert(report.made.date.value_or("an unknown date"));
+  }
+  if (dates.empty()) return "";
+  return fmt::format(
+      "Computed on this machine: {}. All else is of the committed reference, computed on {}.",
+      own.empty() ? "nothing" : fmt::format("{}", fmt::join(own, "; ")),
+      *dates.begin() == *dates.rbegin() ? *dates.begin()
+                                        : *dates.begin() + " to " + *dates.rbegin());
+}
+
 OwnFiles drawn(const char* source, const Results& results) {
   auto [files, failures] = report::page_files(report::page_source(source), results,
                                               {{"machine-sketch", embedded::machine_sketch}});
@@ -107,6 +125,7 @@ Results site_results(const std::vector<FoundReport>& reports) {
               made.version, made.compiler, made.reference ? value_of("of the reference") : Value());
     if (made.date) year = std::max(year, made.date->substr(0, 4));
   }
+  if (const std::string told = origins_of(reports); !told.empty()) site.set("origins", told);
   ricochet::Table missing{"missing", {{"label"}, {"command"}, {"question"}}};
   for (const report::ReportKind& kind : report::report_kinds()) {
     const bool there = std::ranges::any_of(
@@ -143,14 +162,14 @@ std::string live_page(const std::string& navigation) {
                              embedded::live_sentences, embedded::live_page_script}) {
     scripts += script;
   }
-  const Json page = {{"navigation", navigation},
-                     {"look", embedded::look},
-                     {"live_look", embedded::live_look},
-                     {"default_machine", embedded::live_default_machine},
-                     {"module", embedded::live_module},
-                     {"machine_script", embedded::live_machine},
-                     {"scripts", scripts}};
-  return report::filled(embedded::live_template, {&page});
+  return report::with_slots(embedded::live_template,
+                            {{"navigation", navigation},
+                             {"look", embedded::look},
+                             {"live_look", embedded::live_look},
+                             {"default_machine", embedded::live_default_machine},
+                             {"module", embedded::live_module},
+                             {"machine_script", embedded::live_machine},
+                             {"scripts", scripts}});
 }
 
 }  // namespace ricochet::site

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/page.h"
+#include "src/report/report_files.h"
 #include "src/report/results.h"
 #include "src/report/site/entries.h"
 
@@ -13,6 +13,7 @@ namespace ricochet::site {
 /// "comparison-leaders" and charts "comparison-map", after the kind of the report that has them; of
 /// several reports of a kind, those of the first. Table "reports": label, folder, finding, date,
 /// command, version, compiler, origin ("of the reference" where this machine did not compute it).
+/// Value "origins": what this machine has computed, if the rest is of the reference.
 /// Table "missing": label, command and question of the kinds that are not there.
 report::Results site_results(const std::vector<FoundReport>& reports);
 

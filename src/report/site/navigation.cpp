@@ -1,10 +1,10 @@
 #include "src/report/site/navigation.h"
 
-#include <algorithm>
-#include <system_error>
-#include <utility>
+#include <fmt/format.h>
 
-#include "embedded/navigation_template.h"
+#include <sstream>
+#include <system_error>
+
 #include "src/core/files.h"
 #include "src/report/text.h"
 
@@ -37,62 +37,77 @@ std::string way_up(const std::string& here) {
   return up;
 }
 
-/// The words, of which each leads to the first place of its group.
-Json words_of(const std::vector<Place>& places, const Place* own, const std::string& here) {
-  Json words = Json::array();
-  std::string last;
-  for (const Place& place : places) {
-    if (place.group == last) continue;
-    last = place.group;
-    const bool around = own != nullptr && own->group == place.group;
-    words.push_back({{"word", report::escape_html(place.group)},
-                     {"folder", report::escape_html(place.folder)},
-                     {"here", here == place.folder},
-                     {"around", around && here != place.folder}});
-  }
-  return words;
+/// The parts of a path, of which the last may be a page's name: "a/b" has two.
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
+  return parts;
 }
 
-/// The pages inside a place, with the way to the one shown.
-void add_pages(const Place& own, const std::string& here, Json& data) {
-  const std::string inside = here == own.folder ? "" : here.substr(own.folder.size() + 1);
-  const std::size_t slash = std::min(inside.find('/'), inside.size());
-  const std::string page = inside.substr(0, slash);
-  const std::string inner = slash < inside.size() ? inside.substr(slash + 1) : "";
-  data["own"] = {{"folder", report::escape_html(own.folder)},
-                 {"label", report::escape_html(own.label)}};
-  data["own_page"] = report::escape_html(page);
-  data["inner_page"] = report::escape_html(inner);
-  for (const std::string& one : own.pages) {
-    data["pages"].push_back({{"folder", report::escape_html(own.folder)},
-                             {"page", report::escape_html(one)},
-                             {"here", one == page && inner.empty()},
-                             {"around", one == page && !inner.empty()}});
+/// Where a link leads, seen from a page: it is that page, the page is inside of it, or neither.
+enum class Leads { here, around, away };
+
+/// Links from one page of the site.
+class LinksFrom {
+ public:
+  explicit LinksFrom(const std::string& here) : here_(here), up_(way_up(here)) {}
+
+  std::string link(const std::string& folder, const std::string& label, Leads leads) const {
+    const char* current = leads == Leads::here     ? " aria-current=\"page\""
+                          : leads == Leads::around ? " aria-current=\"true\""
+                                                   : "";
+    return fmt::format("<a href=\"{}{}{}index.html\"{}>{}</a>", up_, report::escape_html(folder),
+                       folder.empty() ? "" : "/", current, report::escape_html(label));
   }
+
+  /// An item of a list: `around` unless it is this page.
+  std::string item(const std::string& folder, const std::string& label, bool around) const {
+    const Leads leads = folder == here_ ? Leads::here : around ? Leads::around : Leads::away;
+    return "<li>" + link(folder, label, leads) + "</li>\n";
+  }
+
+ private:
+  std::string here_, up_;
+};
+
+/// The way to a page inside a place, and the pages beside it.
+std::string inside_of(const Place& own, const std::string& here, const LinksFrom& from) {
+  std::string html;
+  const auto inside = parts_of(here == own.folder ? "" : here.substr(own.folder.size() + 1));
+  if (!inside.empty()) {
+    html = "<p class=\"crumbs\">" + from.link(own.folder, own.label, Leads::away) + " › ";
+    if (inside.size() > 1)
+      html += from.link(own.folder + "/" + inside[0], inside[0], Leads::away) + " › ";
+    html += report::escape_html(inside.back()) + "</p>\n";
+  }
+  if (own.pages.empty()) return html;
+  html += fmt::format("<details class=\"subpages\"><summary>{} pages of {}</summary>\n<ul>\n",
+                      own.pages.size(), report::escape_html(own.label));
+  for (const std::string& page : own.pages)
+    html += from.item(own.folder + "/" + page, page, !inside.empty() && page == inside[0]);
+  return html + "</ul>\n</details>\n";
 }
 
 }  // namespace
 
 std::string navigation(const std::vector<Place>& places, const std::string& here) {
   const Place* own = holder_of(places, here);
-  Json data = {
-      {"up", way_up(here)},      {"front", here.empty()}, {"words", words_of(places, own, here)},
-      {"own", Json()},           {"own_page", ""},        {"inner_page", ""},
-      {"places", Json::array()}, {"pages", Json::array()}};
-  if (own != nullptr) {
-    for (const Place& place : places) {
-      if (place.group != own->group) continue;
-      data["places"].push_back({{"folder", report::escape_html(place.folder)},
-                                {"label", report::escape_html(place.label)},
-                                {"here", here == place.folder},
-                                {"around", &place == own && here != place.folder}});
-    }
-    add_pages(*own, here, data);
+  const LinksFrom from(here);
+  std::string words = from.item("", "ricochet", false), group, beside;
+  std::size_t number = 0;  // of places in the own group
+  for (const Place& place : places) {
+    const bool around = own != nullptr && own->group == place.group;
+    if (place.group != group) words += from.item(place.folder, place.group, around);
+    group = place.group;
+    if (!around) continue;
+    beside += from.item(place.folder, place.label, &place == own);
+    ++number;
   }
-  data["has_places"] = data["places"].size() > 1;
-  data["has_pages"] = !data["pages"].empty();
-  data["page_count"] = data["pages"].size();
-  return report::filled(embedded::navigation_template, {&data});
+  if (number > 1) beside = "<ul class=\"places\">\n" + beside + "</ul>\n";
+  return "<nav class=\"site\" aria-label=\"Site\">\n<ul class=\"words\">\n" + words + "</ul>\n" +
+         (number > 1 ? beside : "") + (own == nullptr ? "" : inside_of(*own, here, from)) +
+         "</nav>\n";
 }
 
 void link_pages(const fs::path& site, const std::vector<Place>& places,
@@ -136,7 +151,7 @@ std::vector<Place> places_of(const std::vector<FoundReport>& reports,
 }
 
 void put_at(const std::filesystem::path& page, const std::string& mark, const std::string& html) {
-  // In reports/templates/page.mustache.
+  // In reports/templates/sheet.html.
   const std::string opening = "<!-- " + mark + " -->", closing = "<!-- /" + mark + " -->";
   std::error_code none;
   if (!std::filesystem::exists(page, none)) return;

@@ -1,24 +1,25 @@
 #include "src/report/site/site.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "embedded/docs_template.h"
-#include "embedded/document_template.h"
+#include "embedded/docs_look.h"
+#include "embedded/docs_page.h"
 #include "embedded/documents.h"
-#include "embedded/look.h"
-#include "embedded/machine_drawing.h"
+#include "embedded/machine_sketch.h"
 #include "embedded/search_script.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/report/drawing.h"
-#include "src/report/page.h"
+#include "src/report/markdown_html.h"
 #include "src/report/report.h"
+#include "src/report/report_files.h"
 #include "src/report/site/front.h"
 #include "src/report/site/machine_page.h"
-#include "src/report/site/markdown.h"
 #include "src/report/site/navigation.h"
 #include "src/report/text.h"
 
@@ -58,9 +59,15 @@ std::vector<Place> written_places(const fs::path& folder, const std::vector<Foun
   return places_of(reports, own);
 }
 
-std::vector<std::string> written_site(const fs::path& folder) {
+constexpr const char* alone =
+    "The pages have only what this machine has computed: the committed reference, which would "
+    "stand "
+    "for the rest, is in ricochet's source tree, and this program is not.";
+
+std::vector<std::string> written_site(const fs::path& folder, bool is_alone = false) {
   const std::vector<FoundReport> reports = found_reports(folder);
-  const report::Results site = site_results(reports);
+  report::Results site = site_results(reports);
+  if (is_alone) site.set("origins", alone);
   std::vector<std::string> failures;
   const std::vector<Place> places = written_places(folder, reports, site, failures);
   OwnFiles front = front_page(site);
@@ -84,13 +91,19 @@ bool is_site(const fs::path& folder) {
   return kind != data.end() && *kind == "site";
 }
 
-std::vector<std::string> write_site(const fs::path& folder) {
-  return written_site(folder);
+std::vector<std::string> write_site(const fs::path& folder,
+                                    const std::optional<fs::path>& reference) {
+  std::vector<std::string> failures;
+  if (reference) failures = complete(folder, *reference);
+  const auto own = written_site(folder, !reference);
+  failures.insert(failures.end(), own.begin(), own.end());
+  return failures;
 }
 
-std::vector<std::string> write_site_above(const fs::path& report) {
+std::vector<std::string> write_site_above(const fs::path& report,
+                                          const std::optional<fs::path>& reference) {
   const fs::path above = plain(report).parent_path();
-  return is_site(above) ? write_site(above) : std::vector<std::string>();
+  return is_site(above) ? write_site(above, reference) : std::vector<std::string>();
 }
 
 std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const fs::path& folder) {
@@ -169,10 +182,11 @@ class Links {
   fs::path site_;
 };
 
-std::string page_of(const char* sheet, Json data) {
-  data["look"] = embedded::look;
-  return report::filled(sheet, {&data});
-}
+/// What a document needs beside the look of all pages: long words break.
+constexpr const char* document_look =
+    "main li { max-width: 46rem; }\n"
+    "main p, main li, main h2, main h3 { overflow-wrap: anywhere; }\n"
+    "@media screen and (max-width: 48rem) { .contents { display: none; } }\n";
 
 }  // namespace
 
@@ -180,21 +194,16 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
   const fs::path folder = below(site, docs_folder);
   Place place{"Data", "Docs and search", docs_folder};
   std::vector<SearchEntry> search;
-  Json list = Json::array();
+  std::string list;
   for (const auto& [name, markdown] : embedded::documents) {
-    const Document document = document_of(markdown, Links(site));
-    const std::string title = report::escape_html(document.title);
-    Json parts = Json::array();
-    for (const DocumentPart& part : document.parts) {
-      search.push_back({document.title, part.heading,
-                        std::string(name) + "/index.html#" + part.anchor, part.text});
-      parts.push_back({{"heading", report::escape_html(part.heading)}, {"anchor", part.anchor}});
-    }
-    report::replace_files(
-        below(folder, name),
-        {{"index.html", page_of(embedded::document_template,
-                                {{"title", title}, {"parts", parts}, {"html", document.html}})}});
-    list.push_back({{"name", name}, {"title", title}});
+    const report::HtmlPage page =
+        report::html_page(markdown, {.target = Links(site), .look = document_look});
+    for (const report::PagePart& part : page.parts)
+      search.push_back(
+          {page.title, part.heading, std::string(name) + "/index.html#" + part.anchor, part.text});
+    report::replace_files(below(folder, name), {{"index.html", page.html}});
+    list += fmt::format("<li><a href=\"{}/index.html\">{}</a></li>\n", name,
+                        report::escape_html(page.title));
     place.pages.emplace_back(name);
   }
   for (const FoundReport& report : reports) {
@@ -202,13 +211,13 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
     search.push_back({label_of(report), report.headline->title,
                       "../" + report.folder + "/index.html", report.headline->finding});
   }
-  Json data = Json(search);
-  report::replace_files(
-      folder, {{"index.html",
-                page_of(embedded::docs_template, {{"documents", list},
-                                                  {"search", report::json_in_script(data.dump())},
-                                                  {"script", embedded::search_script}})},
-               {drawing, embedded::machine_drawing}});
+  const std::string body = report::with_slots(
+      embedded::docs_page,
+      {{"documents", list}, {"search", report::json_in_script(Json(search).dump())}});
+  report::replace_files(folder,
+                        {{"index.html", report::sheet_html(place.label, body, embedded::docs_look,
+                                                           {embedded::search_script})},
+                         {drawing, embedded::machine_sketch}});
   return place;
 }
 

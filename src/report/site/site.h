@@ -17,12 +17,14 @@ bool is_site(const std::filesystem::path& folder);
 
 /// Writes the front page of the reports in the folder, index.html, summary.md and data.json, the
 /// page of a live machine, live/index.html, and links all pages with each other. Returns a line for
-/// each of its charts that could not be drawn. Throws InputError or OutputError if the folder
-/// cannot be written.
-std::vector<std::string> write_site(const std::filesystem::path& folder);
+/// each of its charts that could not be drawn. With a reference the site is whole, see complete();
+/// without one it says so. Throws InputError or OutputError if the folder cannot be written.
+std::vector<std::string> write_site(const std::filesystem::path& folder,
+                                    const std::optional<std::filesystem::path>& reference);
 
 /// Writes the front page of the folder above a report, if it is a site. Returns the same.
-std::vector<std::string> write_site_above(const std::filesystem::path& report);
+std::vector<std::string> write_site_above(const std::filesystem::path& report,
+                                          const std::optional<std::filesystem::path>& reference);
 
 /// Draws all reports in a folder and its front page again, into another folder or the same. Returns
 /// a line for each chart that could not be drawn, and for each report whose data are damaged or of

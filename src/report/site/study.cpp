@@ -50,7 +50,7 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
                          {"quick", quick}}}};
   data.update(results);
   auto [epilogue, failures] = report::write_report(data, folder);
-  const std::vector<std::string> above = site::write_site_above(folder);
+  const std::vector<std::string> above = site::write_site_above(folder, site::reference_folder());
   failures.insert(failures.end(), above.begin(), above.end());
   if (!epilogue.empty() && !epilogue.ends_with('\n')) epilogue += "\n";
   const auto page = (std::filesystem::absolute(folder) / "index.html").lexically_normal();

@@ -21,9 +21,13 @@ std::string page_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-Json verification_data() {
+Json data_of(const char* report) {
   return report::data_in(
-      page_text(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
+      page_text(fs::path(RICOCHET_SOURCE) / "reports/reference" / report / "data.json"));
+}
+
+Json verification_data() {
+  return data_of("verification");
 }
 
 class Site : public TemporaryFolder {};
@@ -41,12 +45,53 @@ TEST_F(Site, IsAFolderCalledReportsOrOneWithAFrontPage) {
 TEST_F(Site, IsWrittenAboveAReportOnlyWhereThereIsToBeOne) {
   for (const char* above : {"mine", "reports"}) {
     keep(folder_ / above, "verification", verification_data());
-    write_site_above(folder_ / above / "verification");
+    write_site_above(folder_ / above / "verification", {});
   }
   EXPECT_FALSE(fs::exists(folder_ / "mine" / "index.html"));
   const std::string page = page_text(folder_ / "reports" / "index.html");
   EXPECT_THAT(page, HasSubstr("No count called certain is wrong."));
   EXPECT_THAT(page, HasSubstr("./ricochet reproduce"));
+}
+
+TEST_F(Site, IsWholeWithWhatTheReferenceHasWhichSaysSo) {
+  const fs::path site = folder_ / "reports", reference = folder_ / "reference";
+  Json surrogate = data_of("surrogate");
+  surrogate["made"]["date"] = "2031-02-03";
+  surrogate["pages"] = {"inner"};
+  keep(reference, "surrogate", surrogate);
+  keep(reference / "surrogate", "inner", verification_data());
+  keep(reference, "verification", verification_data());
+  keep(reference, "fireworks", data_of("fireworks"));
+  keep(site, "mine", verification_data());
+  fs::create_directories(site / "fireworks");
+  std::ofstream(site / "fireworks" / "notes.txt") << "mine";
+  write_site_above(site / "mine", reference);
+
+  constexpr const char* mark =
+      "Of the committed reference, computed on 2031-02-03: this machine has not computed it.";
+  EXPECT_THAT(page_text(site / "surrogate/summary.md"), HasSubstr(mark));
+  EXPECT_THAT(page_text(site / "surrogate/index.html"), HasSubstr(mark));
+  EXPECT_THAT(page_text(site / "surrogate/inner/summary.md"),
+              HasSubstr("Of the committed reference"));
+  const std::string front = page_text(site / "summary.md");
+  EXPECT_THAT(front,
+              HasSubstr("Computed on this machine: Proof of the impacts: mine. All else is of "
+                        "the committed reference, computed on 2031-02-03."));
+  EXPECT_THAT(front, HasSubstr("| 2031-02-03 of the reference |"));
+  EXPECT_FALSE(fs::exists(site / "verification")) << "this machine has one";
+  EXPECT_FALSE(fs::exists(site / "fireworks/index.html")) << "somebody has something there";
+
+  // This machine's own takes the place of the reference's.
+  keep(site, "own", data_of("surrogate"));
+  write_site(site, reference);
+  EXPECT_THAT(page_text(site / "summary.md"), Not(HasSubstr("of the committed reference")));
+}
+
+TEST_F(Site, WithoutAReferenceSaysThatItIsNotWhole) {
+  keep(folder_ / "reports", "verification", verification_data());
+  write_site(folder_ / "reports", {});
+  EXPECT_THAT(page_text(folder_ / "reports/index.html"),
+              HasSubstr("The pages have only what this machine has computed"));
 }
 
 TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
@@ -85,7 +130,7 @@ TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
   Json data = json_of(results);
   data["report"] = "comparison";
   keep(folder_, "comparison", data);
-  write_site(folder_);
+  write_site(folder_, {});
   const std::string page = page_text(folder_ / "index.html");
   EXPECT_THAT(page, HasSubstr("&lt;i&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));

@@ -1,23 +1,24 @@
-#include "src/report/site/markdown.h"
+#include "src/report/markdown_html.h"
 
 #include <gmock/gmock.h>
 
-namespace ricochet::site {
+namespace ricochet::report {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
-Document converted(const std::string& markdown) {
-  return document_of(markdown,
-                     [](const std::string& link) { return link == "no" ? "" : "to/" + link; });
+HtmlPage converted(const std::string& markdown) {
+  return html_page(markdown, {.target = [](const std::string& link) {
+                     return link == "no" ? "" : "to/" + link;
+                   }});
 }
 
 TEST(Markdown, HasAnchorsAsCodeHostsMakeThem) {
-  const Document document =
+  const HtmlPage document =
       converted("# What it *is*: 3 of 4\n\nFirst.\n\n## A `b_c` d\n\nSecond.\n");
   EXPECT_EQ(document.title, "What it is: 3 of 4");
-  EXPECT_THAT(document.html, HasSubstr("id=\"what-it-is-3-of-4\""));
+  EXPECT_THAT(document.html, HasSubstr("<section id=\"a-b_c-d\""));
   ASSERT_EQ(document.parts.size(), 2U);
   EXPECT_EQ(document.parts[1].anchor, "a-b_c-d");
   EXPECT_THAT(document.parts[1].text, HasSubstr("Second."));
@@ -48,4 +49,4 @@ TEST(Markdown, DropsComments) {
 }
 
 }  // namespace
-}  // namespace ricochet::site
+}  // namespace ricochet::report

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -137,35 +138,42 @@ struct Scope {
   }
 };
 
-/// Calls `plain` with the text between names and `named` with each name and its format.
-template <class Plain, class Named>
-void each_name(std::string_view line, const Plain& plain, const Named& named) {
+/// A text up to a {{name:format}} in it, and that name; the last piece has none.
+struct Piece {
+  std::string_view before;
+  std::string name = {};
+  std::string_view format = {};
+};
+
+std::vector<Piece> pieces_of(std::string_view text) {
+  std::vector<Piece> pieces;
   while (true) {
-    const std::size_t start = line.find("{{");
-    const std::size_t end = start == std::string_view::npos ? start : line.find("}}", start);
-    if (end == std::string_view::npos) break;
-    plain(line.substr(0, start));
-    const std::string_view inside = line.substr(start + 2, end - start - 2);
+    const std::size_t start = text.find("{{");
+    const std::size_t end = start == text.npos ? start : text.find("}}", start);
+    if (end == text.npos) break;
+    const std::string_view inside = text.substr(start + 2, end - start - 2);
     const std::size_t colon = std::min(inside.find(':'), inside.size());
-    named(std::string(inside.substr(0, colon)), inside.substr(std::min(colon + 1, inside.size())));
-    line.remove_prefix(end + 2);
+    pieces.push_back({text.substr(0, start), std::string(inside.substr(0, colon)),
+                      inside.substr(std::min(colon + 1, inside.size()))});
+    text.remove_prefix(end + 2);
   }
-  plain(line);
+  pieces.push_back({text});
+  return pieces;
 }
 
 /// Fills in a text; nothing if a value is missing.
 std::optional<std::string> filled(std::string_view text, const Scope& scope, bool escapes) {
   std::string result;
   bool complete = true;
-  each_name(
-      text, [&](std::string_view plain) { result += plain; },
-      [&](const std::string& name, std::string_view format) {
-        const Value& value = scope.value(name);
-        complete = complete && !is_missing(value);
-        const std::string shown = ricochet::text_of(value, format);
-        const bool in_code = std::ranges::count(result, '`') % 2 == 1;
-        result += escapes && !in_code ? escape_markdown(shown) : shown;
-      });
+  for (const Piece& piece : pieces_of(text)) {
+    result += piece.before;
+    if (piece.name.empty()) continue;
+    const Value& value = scope.value(piece.name);
+    complete = complete && !is_missing(value);
+    const std::string shown = ricochet::text_of(value, piece.format);
+    const bool in_code = std::ranges::count(result, '`') % 2 == 1;
+    result += escapes && !in_code ? escape_markdown(shown) : shown;
+  }
   if (!complete) return {};
   return result;
 }
@@ -198,26 +206,18 @@ std::optional<std::string> filled_one(const std::string& line, const Scope& scop
 
 /// The table whose rows a line repeats; null if it repeats none.
 const ricochet::Table* repeated_in(const std::string& line, const Scope& scope) {
-  const ricochet::Table* table = nullptr;
-  if (!is_row(line) && !is_item(line)) return table;
-  each_name(
-      line, [](std::string_view) {},
-      [&](const std::string& name, std::string_view) {
-        if (table == nullptr) table = scope.table_of(name);
-      });
-  return table;
+  if (!is_row(line) && !is_item(line)) return nullptr;
+  for (const Piece& piece : pieces_of(line))
+    if (const ricochet::Table* table = scope.table_of(piece.name)) return table;
+  return nullptr;
 }
 
 /// Whether all that a line asks for is missing, and it asks for something.
 bool asks_in_vain(const std::string& line, const Scope& scope) {
-  bool asks = false, has = false;
-  each_name(
-      line, [](std::string_view) {},
-      [&](const std::string& name, std::string_view) {
-        asks = true;
-        has = has || !is_missing(scope.value(name));
-      });
-  return asks && !has;
+  const auto pieces = pieces_of(line);
+  return pieces.size() > 1 && std::ranges::all_of(pieces, [&](const Piece& piece) {
+           return piece.name.empty() || is_missing(scope.value(piece.name));
+         });
 }
 
 /// Says where the rows are that a page does not show.
@@ -416,50 +416,20 @@ class Filler {
   Draw draw_;
 };
 
-/// Every link passes through `change`, of its text and its target.
-std::string with_links(const std::string& markdown,
-                       const std::function<std::string(std::string, std::string)>& change) {
-  std::string text;
-  std::size_t start = 0;
-  for (std::size_t link = 0; (link = markdown.find("](", start)) != std::string::npos;) {
-    const std::size_t open = markdown.rfind('[', link);
-    const std::size_t end = markdown.find(')', link);
-    if (end == std::string::npos) break;
-    if (open == std::string::npos || open < start) {
-      text += markdown.substr(start, end - start);
-    } else {
-      text +=
-          markdown.substr(start, open - start) + change(markdown.substr(open + 1, link - open - 1),
-                                                        markdown.substr(link + 2, end - link - 2));
-    }
-    start = end + (open == std::string::npos || open < start ? 0 : 1);
-  }
-  return text + markdown.substr(start);
-}
-
-/// Documents and the live page are pages of the site, without a Markdown file.
-bool is_of_the_site(const std::string& target) {
-  const std::size_t start = std::min(target.find_first_not_of("./"), target.size());
-  return target.find("://") == target.npos &&
-         (target.compare(start, 5, "docs/") == 0 || target.compare(start, 5, "live/") == 0);
-}
+// Documents and the live page are pages of the site, without a Markdown file.
 
 /// Links to folders lead to their pages.
 std::string with_files(const std::string& markdown) {
-  return with_links(markdown, [](const std::string& text, const std::string& target) {
-    const std::size_t hash = std::min(target.find('#'), target.size());
-    const bool folder = hash > 0 && target[hash - 1] == '/' && target.find("://") == target.npos;
-    const char* file = is_of_the_site(target) ? "index.html" : "summary.md";
-    return fmt::format("[{}]({}{}{})", text, target.substr(0, hash), folder ? file : "",
-                       target.substr(hash));
-  });
+  static const std::regex own(R"(\]\(((\.\./)*(docs|live)/([^)#\n]*/)?)(#[^)\n]*)?\))");
+  static const std::regex folder(R"(\]\((?!\w+://)([^)#\n]*/)(#[^)\n]*)?\))");
+  return std::regex_replace(std::regex_replace(markdown, own, "]($1index.html$5)"), folder,
+                            "]($1summary.md$2)");
 }
 
 /// A file of Markdown alone has no pages of a site beside it.
 std::string without_the_site(const std::string& markdown) {
-  return with_links(markdown, [](const std::string& text, const std::string& target) {
-    return is_of_the_site(target) ? text : fmt::format("[{}]({})", text, target);
-  });
+  static const std::regex own(R"(\[([^\[\]\n]*)\]\((\.\./)*(docs|live)/[^)\n]*\))");
+  return std::regex_replace(markdown, own, "$1");
 }
 
 /// A page of the reference says so below its title.
@@ -490,14 +460,6 @@ std::string filled_page(const PageSource& page, const Results& results) {
     return markdown_of(DrawnChart{chart.name, chart.title, ""});
   });
   return with_files(filler.page(page, results));
-}
-
-std::vector<std::string> names_in(const PageSource& page) {
-  std::vector<std::string> names;
-  each_name(
-      page.text, [](std::string_view) {},
-      [&](const std::string& name, std::string_view) { names.push_back(name); });
-  return names;
 }
 
 std::string terminal_text(const PageSource& page, const Results& results) {

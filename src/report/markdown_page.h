@@ -67,9 +67,6 @@ std::string filled_line(std::string_view line, const Results& results);
 /// no address.
 std::string filled_page(const PageSource& page, const Results& results);
 
-/// The names of values, tables, charts and parts that the page asks for.
-std::vector<std::string> names_in(const PageSource& page);
-
 /// The values and tables that end a command, as text.
 std::string terminal_text(const PageSource& page, const Results& results);
 

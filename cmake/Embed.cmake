@@ -19,3 +19,29 @@ function(ricochet_embed_text target file name text)
                  ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.h @ONLY)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
+
+# ricochet_embed_list(TARGET LIST NAME=FILE...): makes the texts of the files available to TARGET, in this order,
+# as ricochet::embedded::LIST, pairs of name and text, declared in embedded/LIST.h.
+function(ricochet_embed_list target list)
+  set(headers "#include <utility>\n\n")
+  set(rows "")
+  foreach(entry ${ARGN})
+    string(REGEX MATCH "^([^=]*)=(.*)$" entry ${entry})
+    set(name ${CMAKE_MATCH_1})
+    set(file ${CMAKE_MATCH_2})
+    string(MAKE_C_IDENTIFIER "${list}_${name}" identifier)
+    ricochet_embed(${target} ${file} ${identifier})
+    string(APPEND headers "#include \"embedded/${identifier}.h\"\n")
+    string(APPEND rows "    {\"${name}\", ${identifier}},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT embedded/${list}.h @ONLY CONTENT "#pragma once
+
+@headers@
+namespace ricochet::embedded {
+
+inline constexpr std::pair<const char*, const char*> ${list}[] = {
+@rows@};
+
+}  // namespace ricochet::embedded
+")
+endfunction()

@@ -204,16 +204,4 @@ std::string csv_of(const Chart& chart) {
   return text;
 }
 
-std::string column_labels(const std::vector<std::string>& titles) {
-  constexpr std::size_t most_that_fit = 3;
-  std::string style;
-  for (std::size_t i = 0; i < titles.size() && titles.size() > most_that_fit; ++i) {
-    std::string quoted;
-    for (const char c : titles[i])
-      quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-    style += fmt::format("--{}:\"{}\";", i + 1, quoted);
-  }
-  return style;
-}
-
 }  // namespace ricochet::report

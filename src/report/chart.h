@@ -95,6 +95,10 @@ struct Chart {
 /// match.
 void check(const Chart& chart);
 
+inline bool has_cell_links(const Chart& chart) {
+  return chart.heat_map && !chart.heat_map->row_links.empty();
+}
+
 /// The description, or one made from the labels.
 std::string description(const Chart& chart);
 
@@ -102,10 +106,5 @@ std::string description(const Chart& chart);
 /// cell, with the axes' labels as the names of the columns and up to ten significant digits. What
 /// is missing is an empty field.
 std::string csv_of(const Chart& chart);
-
-/// Returns the titles of a table's columns as custom properties of CSS, not escaped for HTML:
-/// --1:"solver";--2:"solved [%]"; On a narrow screen reports/templates/look.css writes them
-/// before the cells. Empty for a table of so few columns that it fits there as it is.
-std::string column_labels(const std::vector<std::string>& titles);
 
 }  // namespace ricochet::report

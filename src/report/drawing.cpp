@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "src/report/chart.h"
+#include "src/report/frame.h"
 #include "src/report/json.h"
 #include "src/report/svg.h"
 #include "src/report/text.h"
@@ -201,11 +202,42 @@ DrawnChart draw(const Chart& chart) {
   }
 }
 
+namespace {
+
+std::string in_page_of(const std::string& place) {
+  const std::size_t hash = place.find('#');
+  if (hash == std::string::npos) throw std::invalid_argument("a cell's link has no #: " + place);
+  return place.substr(0, hash) + "/index.html" + place.substr(hash);
+}
+
+}  // namespace
+
+Json cell_links_data(const Chart& chart) {
+  const HeatMap& map = chart.heat_map.value();
+  if (map.row_links.size() != chart.y.categories.size() ||
+      map.column_links.size() != chart.x.categories.size()) {
+    throw std::invalid_argument("chart \"" + chart.name + "\": not a link for each row and column");
+  }
+  const Box box = frame_of(chart).plot;
+  Json rows = Json::array(), columns = Json::array();
+  for (std::size_t row = map.row_links.size(); row-- > 0;) {
+    rows.push_back({chart.y.categories[row], in_page_of(map.row_links[row])});
+  }
+  for (std::size_t column = 0; column < map.column_links.size(); ++column) {
+    columns.push_back({chart.x.categories[column], map.column_links[column]});
+  }
+  return {{"box", {box.left, box.right, box.top, box.bottom}},
+          {"rows", std::move(rows)},
+          {"columns", std::move(columns)}};
+}
+
 std::string html_of(const Chart& chart, const DrawnChart& drawn) {
   if (!drawn.is_drawn()) {
     return fmt::format("<p class=\"bad\">{}</p>", escape_html(words_for(drawn)));
   }
-  return drawn.svg + data_script("chart-csv", csv_of(chart));
+  std::string html = drawn.svg + data_script("chart-csv", csv_of(chart));
+  if (has_cell_links(chart)) html += data_script("chart-links", cell_links_data(chart));
+  return html;
 }
 
 std::string markdown_of(const DrawnChart& chart) {

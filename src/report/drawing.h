@@ -78,8 +78,14 @@ struct DrawnChart {
 /// chart.
 DrawnChart draw(const Chart& chart);
 
-/// Returns the SVG with the chart's numbers, for the buttons of reports/templates/chart_data.js, or
-/// a paragraph with the reason for the failure.
+/// What reports/templates/chart_links.js needs for the links of a heat map: `box`, the pixels of
+/// the cells in the picture (left, right, top, bottom), and for each of the `rows`, from the top,
+/// and `columns` its name and its part of the address. Throws std::invalid_argument unless there is
+/// a link for each row and column.
+Json cell_links_data(const Chart& chart);
+
+/// Returns the SVG with the chart's numbers, for the buttons of reports/templates/chart_data.js,
+/// and the links of its cells, or a paragraph with the reason for the failure.
 std::string html_of(const Chart& chart, const DrawnChart& drawn);
 
 /// Returns a reference to the picture's file, or the same reason.

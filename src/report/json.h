@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "ricochet/solver.h"
 #include "src/core/fields.h"
 
 namespace ricochet::report {
@@ -105,12 +104,3 @@ struct nlohmann::adl_serializer<T> {
   static_assert(true)
 #define RICOCHET_NAMED_FIELD(member) \
   visit(ricochet::Field{ricochet::report::key_of_member(#member)}, of.member...);
-
-namespace ricochet::studies {
-
-/// The name and the version of a solver.
-inline report::Json solver_data(const Solver& solver) {
-  return {{"name", solver.name}, {"version", solver.version}};
-}
-
-}  // namespace ricochet::studies

@@ -32,13 +32,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-bool is_page_source(std::string_view file) {
-  return file.starts_with("---\n");
-}
-
 PageSource page_source(std::string_view file) {
   const std::size_t end = file.find("\n---\n", 3);
-  if (!is_page_source(file) || end == std::string_view::npos)
+  if (!file.starts_with("---\n") || end == std::string_view::npos)
     throw std::logic_error("a page must begin with its keys, between lines of ---");
   PageSource page;
   for (const std::string& line : lines_of(std::string(file.substr(4, end - 3)))) {

@@ -53,9 +53,6 @@ struct PageSource {
 /// Throws std::logic_error if the file does not begin with keys.
 PageSource page_source(std::string_view file);
 
-/// Returns true if a file is such a page, and not a template, see page_template.h.
-bool is_page_source(std::string_view file);
-
 /// The page's title, its first heading.
 std::string title_of(const PageSource& page, const Results& results);
 

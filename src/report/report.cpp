@@ -5,28 +5,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "embedded/page_calibration.h"
-#include "embedded/page_comparison.h"
-#include "embedded/page_comparison_failures.h"
-#include "embedded/page_comparison_family.h"
-#include "embedded/page_comparison_machines.h"
-#include "embedded/page_comparison_solvers.h"
-#include "embedded/page_comparison_view.h"
-#include "embedded/page_fireworks.h"
-#include "embedded/page_machine.h"
-#include "embedded/page_reproduction.h"
-#include "embedded/page_surrogate.h"
-#include "embedded/page_verification.h"
-#include "embedded/template_dynamics.h"
-#include "embedded/template_family.h"
-#include "embedded/template_impact_test.h"
-#include "embedded/template_problems.h"
-#include "embedded/template_stress.h"
+#include "embedded/pages.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/report/markdown_page.h"
-#include "src/report/page_template.h"
+#include "src/report/report_files.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -35,33 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the order of the kinds on a site.
-constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"reproduction", embedded::page_reproduction},
-    {"comparison", embedded::page_comparison},
-    {"comparison_family", embedded::page_comparison_family},
-    {"comparison_machines", embedded::page_comparison_machines},
-    {"comparison_failures", embedded::page_comparison_failures},
-    {"comparison_solvers", embedded::page_comparison_solvers},
-    {"comparison_view", embedded::page_comparison_view},
-    {"advice", embedded::page_machine},
-    {"dynamics", embedded::template_dynamics},
-    {"surrogate", embedded::page_surrogate},
-    {"problems", embedded::template_problems},
-    {"family", embedded::template_family},
-    {"calibration", embedded::page_calibration},
-    {"verification", embedded::page_verification},
-    {"impact-test", embedded::template_impact_test},
-    {"stress", embedded::template_stress},
-    {"fireworks", embedded::page_fireworks},
-};
-
 constexpr const char* data_file = "data.json";
-
-/// The text of data.json. Pages of Markdown have data that are rounded already.
-std::string text_of_data(const std::string& sheet, const Json& data) {
-  return is_page_source(sheet) ? json_text(data) : data_text(data, kept_digits(sheet));
-}
 
 /// Writes the data of a report, and of its further pages.
 void write_data(Json data, const fs::path& folder) {
@@ -72,27 +30,16 @@ void write_data(Json data, const fs::path& folder) {
       page = name;
     }
   }
-  const std::string sheet = page_template(data.at("report").get<std::string>());
-  add_files(folder, {{data_file, text_of_data(sheet, data)}});
+  add_files(folder, {{data_file, json_text(data)}});
 }
 
-WrittenReport draw_markdown_page(const PageSource& page, const Json& data, const fs::path& folder) {
+WrittenReport draw_page(const Json& data, const fs::path& folder) {
+  const PageSource page = page_source(page_template(data.at("report").get<std::string>()));
   const Results results = results_of(data);
   auto [files, failures] = page_files(page, results);
   files[data_file] = json_text(data);
   replace_files(folder, files);
   return {terminal_text(page, results), std::move(failures)};
-}
-
-WrittenReport draw_page(Json data, const fs::path& folder) {
-  const std::string sheet = page_template(data.at("report").get<std::string>());
-  if (is_page_source(sheet)) return draw_markdown_page(page_source(sheet), data, folder);
-  DrawnPage drawing = drawn(sheet, data, Mismatch::costs_its_chart);
-  FileSet files = std::move(drawing.tables);
-  if (drawing.headline.version > 0) data["headline"] = std::move(drawing.headline);
-  files[data_file] = data_text(data, kept_digits(sheet));
-  add_files(folder, files);
-  return {drawing.epilogue, write_page(drawing.page, folder, std::move(files))};
 }
 
 /// A std::logic_error whose message names the file.
@@ -124,12 +71,12 @@ WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
   const std::string text = text_of_file(file);
   std::vector<std::string> failures;
   try {
-    Json data = data_in(text);
+    const Json data = data_in(text);
     for (const std::string& name : pages_of(data)) {
       const WrittenReport further = redraw_report(from / name, below(folder, name));
       failures.insert(failures.end(), further.failures.begin(), further.failures.end());
     }
-    WrittenReport written = draw_page(std::move(data), folder);
+    WrittenReport written = draw_page(data, folder);
     for (std::string& line : written.failures) line = file.string() + ": " + line;
     written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
     return written;
@@ -146,18 +93,12 @@ WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
 
 std::string page_template(const std::string& name) {
   std::string known;
-  for (const auto& [own, text] : templates) {
+  for (const auto& [own, text] : embedded::pages) {
     if (own == name) return text;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", own);
   }
   throw std::logic_error(
       fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
-}
-
-std::vector<std::string> page_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, text] : templates) names.emplace_back(name);
-  return names;
 }
 
 Results results_of(const Json& data) {
@@ -173,20 +114,11 @@ Results results_of(const Json& data) {
 
 std::vector<ReportKind> report_kinds() {
   std::vector<ReportKind> kinds;
-  for (const auto& [name, text] : templates) {
-    if (is_page_source(text)) {
-      const auto keys = page_source(text).keys;
-      if (keys.contains("command"))
-        kinds.push_back({std::string(name), keys.at("group"), keys.at("label"), keys.at("question"),
-                         keys.at("command")});
-      continue;
-    }
-    const toml::table file = toml::parse(text);
-    const toml::table* headline = file["headline"].as_table();
-    if (headline == nullptr || !headline->contains("command")) continue;
-    const TemplatePart part(*headline);
-    kinds.push_back({std::string(name), part.text("group"), part.text("label"),
-                     part.text("question"), part.text("command")});
+  for (const auto& [name, text] : embedded::pages) {
+    const auto keys = page_source(text).keys;
+    if (keys.contains("command"))
+      kinds.push_back(
+          {name, keys.at("group"), keys.at("label"), keys.at("question"), keys.at("command")});
   }
   return kinds;
 }

@@ -3,29 +3,25 @@
 #include <regex>
 #include <stdexcept>
 
-#include "src/report/page_template.h"
+#include "src/report/drawing.h"
 #include "src/report/svg.h"
-#include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {
 
-const Json two_solvers = {
-    {"map", {{{"solver", "a"}, {"shares", {0.5, nullptr}}}, {{"solver", "b"}, {"shares", {1, 0}}}}},
-    {"families", {{{"family", "hs"}}, {{"family", "top"}}}}};
-
-const toml::table linked_map = toml::parse(R"(
-name = "map"
-title = "Map"
-x = { categories = "families", category = "{{family}}" }
-y = { categories = "map", category = "solver {{solver}}", order = "down" }
-heat_map = { cells = "shares", value = ".:%", row_link = "view#entry={{solver}}", column_link = "&family={{family}}" }
-)");
+Chart linked_map() {
+  return {.name = "map",
+          .title = "Map",
+          .x = {.categories = {"hs", "top"}},
+          .y = {.categories = {"solver b", "solver a"}},
+          .heat_map = HeatMap{.label = "share [%]",
+                              .rows = {{100, 0}, {50, std::nullopt}},
+                              .row_links = {"view#entry=b", "view#entry=a"},
+                              .column_links = {"&family=hs", "&family=top"}}};
+}
 
 TEST(CellLinks, AreThoseOfRowAndColumn) {
-  const TemplatePart part(linked_map);
-  const Json data =
-      cell_links_data(chart_of(part, {&two_solvers}), cell_links_of(part, {&two_solvers}));
+  const Json data = cell_links_data(linked_map());
   EXPECT_EQ(data["rows"].dump(),
             R"x([["solver a","view/index.html#entry=a"],["solver b","view/index.html#entry=b"]])x")
       << "from the top";
@@ -33,9 +29,8 @@ TEST(CellLinks, AreThoseOfRowAndColumn) {
 }
 
 TEST(CellLinks, LieOverTheCells) {
-  const TemplatePart part(linked_map);
-  const Chart chart = chart_of(part, {&two_solvers});
-  const Json box = cell_links_data(chart, cell_links_of(part, {&two_solvers}))["box"];
+  const Chart chart = linked_map();
+  const Json box = cell_links_data(chart)["box"];
   // The upper right cell has no value: its hatched rectangle ends where the box does.
   const std::string svg = to_svg(chart);
   std::smatch found;
@@ -50,10 +45,11 @@ TEST(CellLinks, LieOverTheCells) {
 }
 
 TEST(CellLinks, MustFitTheChart) {
-  const Chart chart = chart_of(TemplatePart(linked_map), {&two_solvers});
-  EXPECT_THROW(cell_links_data(chart, {{"view#a"}, {"&b", "&c"}}), std::invalid_argument);
-  EXPECT_THROW(cell_links_data(chart, {{"view", "view"}, {"&b", "&c"}}), std::invalid_argument)
-      << "no state of the view";
+  Chart chart = linked_map();
+  chart.heat_map->row_links = {"view", "view"};
+  EXPECT_THROW(cell_links_data(chart), std::invalid_argument) << "no state of the view";
+  chart.heat_map->row_links = {"view#a"};
+  EXPECT_THROW(cell_links_data(chart), std::invalid_argument);
 }
 
 }  // namespace

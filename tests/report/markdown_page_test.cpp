@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <pugixml.hpp>
+#include <regex>
 
 #include "src/report/text.h"
 
@@ -153,6 +154,65 @@ TEST(MarkdownPage, IsAPageOfSectionsTablesAndPictures) {
   pugi::xml_document tree;
   const std::size_t body = html.find("<main"), end = html.find("</main>");
   EXPECT_TRUE(tree.load_string(html.substr(body, end + 7 - body).c_str()));
+}
+
+/// The colours that the style replaces in the dark are those that charts are drawn in.
+TEST(MarkdownPage, KnowsTheColoursOfItsCharts) {
+  Results two;
+  for (const Mark mark : {Mark::line, Mark::points}) {
+    Chart chart{.name = mark == Mark::line ? "lines" : "points", .x = {"x"}, .y = {"y"}};
+    for (int i = 0; i < 7; ++i)
+      chart.series.push_back({std::to_string(i), mark, {{0, 1, Range{0, 2}}, {1, 2, Range{1, 3}}}});
+    for (const double at : {0.2, 0.4, 0.6})
+      chart.lines.push_back({Direction::vertical, at, std::to_string(at)});
+    two.add(chart);
+  }
+  const auto files = page_files(page("# T\n\n{{chart lines}}\n\n{{chart points}}\n"), two).files;
+  const std::string& html = files.at("index.html");
+  const std::string svgs = files.at("lines.svg") + files.at("points.svg");
+  static const std::regex replaced("figure svg \\[(\\w+=\"[^\"]*\")\\]");
+  int colours = 0;
+  for (std::sregex_iterator it(html.begin(), html.end(), replaced), end; it != end; ++it) {
+    EXPECT_NE(svgs.find((*it)[1].str()), std::string::npos) << (*it)[1];
+    ++colours;
+  }
+  EXPECT_GT(colours, 10);
+}
+
+TEST(MarkdownPage, SaysWhyAChartIsMissingAndKeepsAllElse) {
+  Results two = results();
+  two.add(Chart{.name = "wrong",
+                .title = "Wrong <one>",
+                .x = {"x"},
+                .y = {"y"},
+                .series = {{"a", Mark::line, {{0, 1e200}}}}});
+  const auto [files, failures] =
+      page_files(page("# T\n\n{{chart wrong}} Of it.\n\n{{chart counts}}\n"), two);
+  EXPECT_THAT(failures, ElementsAre("chart wrong could not be drawn: series \"a\", sample 0: "
+                                    "1e+200 is beyond 1e100"));
+  EXPECT_FALSE(files.contains("wrong.svg"));
+  EXPECT_THAT(files.at("summary.md"),
+              AllOf(HasSubstr("Wrong &lt;one>: series"), HasSubstr("(counts.svg)")));
+  EXPECT_THAT(files.at("index.html"),
+              AllOf(HasSubstr("Wrong &lt;one&gt;: series"), HasSubstr(files.at("counts.svg"))));
+}
+
+TEST(MarkdownPage, HasTheNumbersOfItsChartsAndTheRunsOfAView) {
+  Results all = results();
+  ricochet::Table runs{"view-runs", {{"a"}, {"b"}}};
+  runs.add("</script>", 1);
+  all.add(runs);
+  const auto files = page_files(page("# T\n\n{{view}}\n\n{{chart counts}}\n"), all).files;
+  const std::string& html = files.at("index.html");
+  for (const char* part :
+       {"class=\"chart-csv\">", "a,1,2\\n", "figure > script.chart-csv", "[\"\\u003c/script>\",1]",
+        "id=\"view-form\"", ".view-form {", "class RunTable", "class Choice", "class StepChart"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  EXPECT_FALSE(files.contains("view-runs.csv"));
+  const auto plain = page_files(page("# T\n\nText.\n"), results()).files.at("index.html");
+  EXPECT_THAT(plain, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<link")),
+                           Not(HasSubstr("@import")), HasSubstr("<html lang=\"en\">")));
 }
 
 TEST(MarkdownPage, ComesBackFromItsData) {

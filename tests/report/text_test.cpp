@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace ricochet::report {
 namespace {
 
@@ -13,10 +15,9 @@ TEST(Text, OfMarkdownHasNoLinksOfItsOwn) {
   EXPECT_EQ(escape_markdown("speed [rad/s], [a](b)"), "speed [rad/s], [a\\](b)");
 }
 
-TEST(Text, LinksAddressesButNotTheFullStopAfterThem) {
-  EXPECT_EQ(html_with_links("See https://doi.org/10.1/x?a&b. <End>"),
-            "See <a href=\"https://doi.org/10.1/x?a&amp;b\">https://doi.org/10.1/x?a&amp;b</a>. "
-            "&lt;End&gt;");
+TEST(Text, HasValuesInItsSlots) {
+  EXPECT_EQ(with_slots("<{{a}}>{{b}}{{a}}", {{"a", "{{b}}"}, {"b", "2"}}), "<{{b}}>2{{b}}");
+  EXPECT_THROW(with_slots("{{c}}", {{"a", "1"}}), std::out_of_range);
 }
 
 }  // namespace

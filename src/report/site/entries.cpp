@@ -13,7 +13,6 @@
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/report/markdown_page.h"
-#include "src/report/page_template.h"
 #include "src/report/report_files.h"
 #include "src/report/text.h"
 
@@ -46,44 +45,22 @@ std::optional<T> read(const Json& data, const char* key) {
   }
 }
 
-/// The headline of a page of Markdown.
-std::optional<report::Headline> headline_of(const report::PageSource& page, const Json& data) {
+/// What the page says of itself. Nothing if its data are of another version.
+std::optional<Headline> headline_of(const Json& data) {
   try {
+    const auto page = report::page_source(report::page_template(data.at("report")));
     const report::Results results = report::results_of(data);
     const auto key = [&](const char* name) {
       const auto found = page.keys.find(name);
       return found == page.keys.end() ? "" : report::filled_line(found->second, results);
     };
-    report::Headline headline{};
-    headline.version = report::headline_version;
-    headline.title = report::title_of(page, results);
-    headline.finding = key("finding");
-    headline.command = key("made_by");
+    Headline headline{report::title_of(page, results), key("finding"), key("made_by"), "", ""};
     if (!page.keys.contains("command")) {
       headline.group = key("group");
       headline.label = key("label");
     }
     return headline;
-  } catch (const std::exception&) {  // the page needs data that are missing
-    return std::nullopt;
-  }
-}
-
-/// Reads the headline with the parts repeated from the page. Nothing if the data are of another
-/// version.
-std::optional<report::Headline> headline_of(const Json& data) {
-  if (const auto kind = read<std::string>(data, "report")) {
-    for (const std::string& known : report::page_names()) {
-      const std::string sheet = report::page_template(known);
-      if (known == *kind && report::is_page_source(sheet))
-        return headline_of(report::page_source(sheet), data);
-    }
-  }
-  const auto kept = read<report::Headline>(data, "headline");
-  if (!kept || kept->version != report::headline_version) return std::nullopt;
-  try {
-    return report::headline_in(report::page_template(data.at("report")), data);
-  } catch (const std::exception&) {  // the template needs data that are missing
+  } catch (const std::exception&) {  // there is no such page, or it needs data that are missing
     return std::nullopt;
   }
 }
@@ -107,9 +84,8 @@ Made made_of(const Json& data) {
   return made;
 }
 
-/// The results of a page of Markdown; nothing if they cannot be read.
-std::optional<report::Results> results_of(const report::ReportKind& kind, const Json& data) {
-  if (!report::is_page_source(report::page_template(kind.name))) return {};
+/// Nothing if they cannot be read.
+std::optional<report::Results> results_of(const Json& data) {
   try {
     return report::results_of(data);
   } catch (const std::exception&) {
@@ -119,13 +95,12 @@ std::optional<report::Results> results_of(const report::ReportKind& kind, const 
 
 FoundReport found(const fs::path& folder, const report::ReportKind& kind, Json data) {
   FoundReport report{folder.filename().string(), kind, made_of(data), headline_of(data), {}};
-  report.results = results_of(kind, data);
+  report.results = results_of(data);
   const std::vector<std::string> pages = pages_in(data);
   report.data = std::move(data);
   for (const std::string& page : pages) {
-    Json own = data_of(folder / page).value_or(Json::object());
-    std::vector<std::string> further = pages_in(own);
-    report.pages.push_back({page, headline_of(own), std::move(own), std::move(further)});
+    const Json own = data_of(folder / page).value_or(Json::object());
+    report.pages.push_back({page, headline_of(own), pages_in(own)});
   }
   return report;
 }

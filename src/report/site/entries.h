@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "src/report/json.h"
-#include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "src/report/results.h"
 
@@ -22,11 +21,18 @@ struct Made {
   bool reference = false;  ///< it is the committed reference's, and not of this machine
 };
 
+/// What a page says of itself, for other pages.
+struct Headline {
+  std::string title;
+  std::string finding;       ///< the result, in a sentence
+  std::string command;       ///< that made it; empty: that of its kind
+  std::string group, label;  ///< in the navigation, of a further page that stands in it by itself
+};
+
 /// A further page of a report.
 struct FoundPage {
   std::string folder;  ///< inside the report's folder
-  std::optional<report::Headline> headline;
-  Json data;
+  std::optional<Headline> headline;
   std::vector<std::string> pages = {};  ///< folders of pages inside its own
 };
 
@@ -35,10 +41,10 @@ struct FoundReport {
   std::string folder;  ///< its name, in the front page's folder
   report::ReportKind kind;
   Made made;
-  std::optional<report::Headline> headline;  ///< nothing if its data are of another version
-  Json data;                                 ///< its data.json
+  std::optional<Headline> headline;  ///< nothing if its data are of another version
+  Json data;                         ///< its data.json
   std::vector<FoundPage> pages = {};
-  /// What it found; nothing if its data are of another version, or of a kind with a template.
+  /// What it found; nothing if its data are of another version.
   std::optional<report::Results> results = {};
 };
 

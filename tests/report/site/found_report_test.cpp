@@ -12,7 +12,7 @@ class FoundReports : public TemporaryFolder {};
 
 TEST_F(FoundReports, AreThoseOfKnownKindsInTheirOrder) {
   keep(folder_, "zebra", {{"report", "reproduction"}});
-  keep(folder_, "dynamics", {{"report", "dynamics"}});
+  keep(folder_, "surrogate", {{"report", "surrogate"}});
   keep(folder_, "ant", {{"report", "reproduction"}});
   keep(folder_, "reference", {{"report", "site"}});
   keep(folder_, "other", {{"report", 7}});
@@ -22,10 +22,10 @@ TEST_F(FoundReports, AreThoseOfKnownKindsInTheirOrder) {
   std::ofstream(folder_ / "broken" / "data.json") << "{";
   std::vector<std::string> labels;
   for (const FoundReport& report : found_reports(folder_)) labels.push_back(label_of(report));
-  EXPECT_THAT(labels, ElementsAre("The paper's cases: ant", "The paper's cases: zebra",
-                                  "Methods and contact laws"));
+  EXPECT_THAT(labels,
+              ElementsAre("The paper's cases: ant", "The paper's cases: zebra", "Surrogate"));
   EXPECT_THAT(folders_of_data(folder_),
-              ElementsAre("ant", "broken", "dynamics", "list", "other", "zebra"))
+              ElementsAre("ant", "broken", "list", "other", "surrogate", "zebra"))
       << "what is not of a known kind may have been a report";
 }
 
@@ -67,12 +67,9 @@ TEST_F(FoundReports, HaveTheirPagesAndWhatTheseSayOfThemselves) {
 }
 
 TEST_F(FoundReports, OfAnotherVersionHaveNoHeadline) {
-  report::Headline headline;
-  headline.version = report::headline_version + 1;
-  keep(folder_, "dynamics", {{"report", "dynamics"}, {"headline", headline}});
-  keep(folder_, "verification", {{"report", "verification"}, {"headline", "Found: all"}});
+  keep(folder_, "verification", {{"report", "verification"}, {"values", "Found: all"}});
   keep(folder_, "surrogate", {{"report", "surrogate"}});  // and nothing else
-  EXPECT_EQ(found_reports(folder_).size(), 3U);
+  EXPECT_EQ(found_reports(folder_).size(), 2U);
   for (const FoundReport& report : found_reports(folder_)) EXPECT_FALSE(report.headline);
 }
 

@@ -14,11 +14,9 @@ inline FoundReport made_up(const std::string& kind, Json data, const std::string
   data["report"] = kind;
   for (const report::ReportKind& known : report::report_kinds()) {
     if (known.name != kind) continue;
-    report::Headline headline;
-    headline.version = report::headline_version;
-    headline.title = "What " + kind + " found";
+    const Headline headline{"What " + kind + " found", "", "", "", ""};
     FoundReport report{folder, known, {}, headline, data};
-    for (const std::string& page : pages) report.pages.push_back({page, {}, Json::object()});
+    for (const std::string& page : pages) report.pages.push_back({page, {}});
     return report;
   }
   throw std::logic_error(kind);

@@ -14,17 +14,17 @@ std::vector<std::string> folders_of(const std::vector<Place>& places) {
 
 TEST(Places, AreInTheOrderOfTheWordsWithTheSitesOwnFirst) {
   const std::vector<FoundReport> reports = {
-      made_up("problems", Json::object(), "problems"),
+      made_up("surrogate", Json::object(), "surrogate"),
       made_up("comparison", Json::object(), "mine"),
       made_up("reproduction", Json::object(), "reproduction")};
   EXPECT_THAT(
       folders_of(places_of(reports, {{"Data", "Cite", "cite"}, {"Machine", "It", "machine"}})),
-      testing::ElementsAre("machine", "mine", "reproduction", "cite", "problems"));
+      testing::ElementsAre("machine", "mine", "surrogate", "reproduction", "cite"));
 }
 
 TEST(Places, HaveThosePagesOfReportsThatNameAGroup) {
   FoundReport report = made_up("comparison", Json::object(), "comparison", {"count", "failures"});
-  report.pages[1].headline = report::Headline{};
+  report.pages[1].headline = Headline{};
   report.pages[1].headline->group = "Robustness";
   report.pages[1].headline->label = "Noise";
   const std::vector<Place> places = places_of({report}, {});

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "src/report/markdown_page.h"
-#include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "src/report/text.h"
 
@@ -75,15 +74,10 @@ TEST_F(Reference, HasItsDataAsAReportWouldWriteThem) {
     const std::string text = committed_text(name);
     using report::Json;
     const Json data = report::data_in(text);
-    const std::string sheet = report::page_template(data.at("report").get<std::string>());
-    if (report::is_page_source(sheet)) {
-      EXPECT_TRUE(report::json_text(data) == text) << name;
-      Json read = data;
-      read.update(json_of(report::results_in(data)));
-      EXPECT_TRUE(read == data) << name;
-    } else {
-      EXPECT_TRUE(report::data_text(data, report::kept_digits(sheet)) == text) << name;
-    }
+    EXPECT_TRUE(report::json_text(data) == text) << name;
+    Json read = data;
+    read.update(json_of(report::results_in(data)));
+    EXPECT_TRUE(read == data) << name;
     ++reports;
   }
   EXPECT_GT(reports, 15);

@@ -36,7 +36,7 @@ TEST_F(Site, IsAFolderCalledReportsOrOneWithAFrontPage) {
   EXPECT_TRUE(is_site(folder_ / "reports"));
   EXPECT_TRUE(is_site(folder_ / "reports/"));
   EXPECT_FALSE(is_site(folder_ / "mine"));
-  keep(folder_, "mine", {{"report", "dynamics"}});
+  keep(folder_, "mine", {{"report", "surrogate"}});
   EXPECT_FALSE(is_site(folder_ / "mine"));
   keep(folder_, "mine", {{"report", "site"}});
   EXPECT_TRUE(is_site(folder_ / "mine"));

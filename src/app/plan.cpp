@@ -146,13 +146,19 @@ int slurm_script(const PlanOptions& options) {
   forecast.runs /= jobs;
   forecast.report = 0;
   const double hours = forecast.seconds(1) / 3600;
-  Json shown_programs = Json::array();
-  for (const std::string& program : programs) shown_programs.push_back(one_line(program));
-  const Json data = {
-      {"plan", in_shell_quotes(plan)}, {"jobs", jobs},
-      {"programs", shown_programs},    {"allow", programs.empty() ? "" : " --allow-programs"},
-      {"at_least", forecast.at_least}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
-  fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
+  std::string notes;
+  for (const std::string& program : programs) notes += "# It starts: " + one_line(program) + "\n";
+  if (forecast.at_least)
+    notes +=
+        "# The time below is at least needed: what the programs take is not known before they "
+        "run.\n";
+  fmt::print("{}", report::with_slots(
+                       embedded::slurm_template,
+                       {{"plan", in_shell_quotes(plan)},
+                        {"jobs", std::to_string(jobs)},
+                        {"notes", notes},
+                        {"allow", programs.empty() ? "" : " --allow-programs"},
+                        {"hours", std::to_string(static_cast<int>(std::ceil(2 * hours + 0.1)))}}));
   return 0;
 }
 

@@ -2,13 +2,7 @@
 # Carries out a plan as {{jobs}} jobs of one core each, and joins what they stored in campaign/:
 #   sbatch THIS_SCRIPT
 # Where it was interrupted, submit it again: finished runs are kept.
-{{#programs}}
-# It starts: {{.}}
-{{/programs}}
-{{#at_least}}
-# The time below is at least needed: what the programs take is not known before they run.
-{{/at_least}}
-#SBATCH --job-name=ricochet
+{{notes}}#SBATCH --job-name=ricochet
 #SBATCH --array=1-{{jobs}}
 #SBATCH --cpus-per-task=1
 #SBATCH --time={{hours}}:00:00

@@ -46,12 +46,13 @@ TEST(Markdown, HasTablesAndListingsThatScroll) {
 
 TEST(Markdown, HasTitlesInTheRowsOfATableOnANarrowScreen) {
   const auto table = [](const char* titles) {
-    return converted(std::string("# T\n\n") + titles + "\n|--|--|--|--|\n| 1 | 2 | 3 | 4 |\n").html;
+    return converted(std::string("# T\n\n") + titles + "\n|:--|:--|:--|:--|\n| 1 | 2 | 3 | 4 |\n")
+        .html;
   };
   EXPECT_THAT(table("| a | b < c | the \"best\" | f; |"),
               HasSubstr("style=\"--1:&quot;a&quot;;--2:&quot;b &lt; c&quot;;--3:&quot;the "
                         "\\&quot;best\\&quot;&quot;;--4:&quot;f;&quot;;\""));
-  EXPECT_THAT(converted("| a | b |\n|--|--|\n| 1 | 2 |\n").html, Not(HasSubstr("--1:")));
+  EXPECT_THAT(converted("| a | b |\n|:--|:--|\n| 1 | 2 |\n").html, Not(HasSubstr("--1:")));
 }
 
 TEST(Markdown, DropsComments) {

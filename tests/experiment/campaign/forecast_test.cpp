@@ -50,8 +50,8 @@ TEST(Forecast, IsTheTimeOfSimulationsAndOfTheSolver) {
 TEST(Forecast, HasItsShareForEveryRun) {
   const Forecast many = foretold(0, 0, "budgets = 2\ninstances = 10000");
   EXPECT_GT(many.runs, 0.1) << "ten thousand processes' messages and rows of a store";
-  EXPECT_LT(many.runs, 10);
   const Forecast few = foretold(0, 0, "budgets = 2\ninstances = 100");
+  EXPECT_GT(many.runs, 10 * few.runs) << "100 times as many, each measured on a busy machine";
   EXPECT_GT(many.report, 1.5 * few.report);
   EXPECT_GT(few.one_core, 0);
 }

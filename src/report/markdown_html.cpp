@@ -9,13 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
+#include "embedded/charts_script.h"
 #include "embedded/choose_script.h"
 #include "embedded/look.h"
 #include "embedded/sheet_template.h"
-#include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_look.h"
 #include "embedded/view_ranks_script.h"
@@ -338,8 +337,8 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures,
     const Json data = {{"data", json_in_script(view.dump())}};
     later[view_place] = filled(embedded::view_template, {&data});
     for (const char* part :
-         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
-          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
+         {embedded::charts_script, embedded::view_runs_script, embedded::view_ranks_script,
+          embedded::view_choice_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }

@@ -9,7 +9,7 @@
 #include "embedded/document_template.h"
 #include "embedded/documents.h"
 #include "embedded/look.h"
-#include "embedded/machine_drawing.h"
+#include "embedded/machine_sketch.h"
 #include "embedded/search_script.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
@@ -208,7 +208,7 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
                 page_of(embedded::docs_template, {{"documents", list},
                                                   {"search", report::json_in_script(data.dump())},
                                                   {"script", embedded::search_script}})},
-               {drawing, embedded::machine_drawing}});
+               {drawing, embedded::machine_sketch}});
   return place;
 }
 

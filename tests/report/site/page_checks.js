@@ -34,7 +34,7 @@ export const brokenWords = () => {
 };
 
 // Texts of charts that leave the picture, with the fonts of this machine.
-export const cutTexts = () => [...document.querySelectorAll("figure > svg.ricochet-chart")].filter((svg) => svg.checkVisibility()).flatMap((svg) => {
+export const cutTexts = () => [...document.querySelectorAll("figure > svg")].filter((svg) => svg.checkVisibility()).flatMap((svg) => {
   const picture = svg.getBoundingClientRect(), scale = picture.width / svg.viewBox.baseVal.width;
   return [...svg.querySelectorAll("text")].filter((text) => text.getBoundingClientRect().width > 0).flatMap((text) => {
     const {left, right, top, bottom} = text.getBoundingClientRect();
@@ -42,3 +42,11 @@ export const cutTexts = () => [...document.querySelectorAll("figure > svg.ricoch
     return beyond > 2 ? [`"${text.textContent}" leaves ${svg.id || svg.querySelector("title").textContent} by ${beyond.toFixed(0)} pixels`] : [];
   });
 });
+
+// Numbers as no reader writes them: "1 turns", "3 us", "short by -9.93", 0.0009000000000000001.
+export const wrongNumbers = () => {
+  const patterns = [/(?<![-0-9.,/_A-Za-z])1 (?:borders|cases|collisions|columns|constants|cores|entries|evaluations|families|fits|impacts|instances|kinds|knots|levels|machines|methods|pages|pairs|parameters|points|problems|regimes|reports|rows|runs|scenes|searches|seeds|settings|simulations|solvers|speeds|starts|steps|tools|turns|values|variables)\b/g,
+    /[0-9] us\b/g, /\bby [-−][0-9]/g, /\.[0-9]{13}/g];
+  const text = document.body.innerText;
+  return patterns.flatMap((pattern) => [...text.matchAll(pattern)].map(({0: found, index}) => `"${text.slice(Math.max(0, index - 30), index + found.length)}"`));
+};

@@ -245,7 +245,7 @@ class Refiner {
 
   void arrange(pugi::xml_node table) {
     std::vector<std::string> titles;
-    for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
+    for (pugi::xml_node cell : table.child("thead").child("tr").children("th")) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
       put_attribute(cell, "scope", "col");
@@ -264,7 +264,9 @@ class Refiner {
     for (pugi::xml_node row : table.child("tbody").children("tr")) {
       if (folds && row_number++ >= rows_at_first) put_attribute(row, "class", "later");
       bool first = true;
-      for (pugi::xml_node cell : row.children()) {
+      std::vector<pugi::xml_node> cells;
+      for (const pugi::xml_node& cell : row.children("td")) cells.push_back(cell);
+      for (pugi::xml_node& cell : cells) {
         align(cell, first ? "rowheader" : "cell");
         if (first && !text_of(cell).empty()) {
           cell.set_name("th");

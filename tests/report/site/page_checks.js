@@ -50,3 +50,24 @@ export const wrongNumbers = () => {
   const text = document.body.innerText;
   return patterns.flatMap((pattern) => [...text.matchAll(pattern)].map(({0: found, index}) => `"${text.slice(Math.max(0, index - 30), index + found.length)}"`));
 };
+
+// Texts of charts that do not stand out from what they are on (WCAG 2.2: at least 3 for large letters and pictures).
+export const faintTexts = () => {
+  const numbers = (colour) => colour.match(/[\d.]+/g).map(Number);
+  const mixed = (over, under, share) => under.map((one, i) => share * over[i] + (1 - share) * one);
+  const luminance = (rgb) => rgb.map((one) => one / 255).map((one) => one <= 0.04045 ? one / 12.92 : ((one + 0.055) / 1.055) ** 2.4).reduce((sum, one, i) => sum + [0.2126, 0.7152, 0.0722][i] * one, 0.05);
+  const paper = numbers(getComputedStyle(document.body).backgroundColor).slice(0, 3);
+  return [...document.querySelectorAll("figure > svg")].filter((svg) => svg.checkVisibility()).flatMap((svg) => {
+    const shapes = [...svg.querySelectorAll("path, rect, circle")].filter((one) => !one.closest("defs, clipPath, pattern, marker")).map((shape) => {
+      const {fill, fillOpacity, opacity} = getComputedStyle(shape);
+      return {shape, fill, share: Number(fillOpacity) * Number(opacity), back: shape.getScreenCTM().inverse()};
+    }).filter(({fill}) => fill.startsWith("rgb"));
+    return [...svg.querySelectorAll("text")].filter((text) => text.textContent && text.getBoundingClientRect().width > 0).flatMap((text) => {
+      const {left, right, top, bottom} = text.getBoundingClientRect(), middle = new DOMPoint((left + right) / 2, (top + bottom) / 2);
+      const below = shapes.filter(({shape, back}) => (text.compareDocumentPosition(shape) & Node.DOCUMENT_POSITION_PRECEDING) && shape.isPointInFill(middle.matrixTransform(back)));
+      const ground = below.reduce((under, {fill, share}) => mixed(numbers(fill), under, share), paper);
+      const [bright, dark] = [numbers(getComputedStyle(text).fill), ground].map(luminance).sort((a, b) => b - a);
+      return bright / dark < 3 ? [`"${text.textContent}" of ${svg.id || svg.querySelector("title").textContent} has a contrast of ${(bright / dark).toFixed(1)}`] : [];
+    });
+  });
+};

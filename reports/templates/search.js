@@ -10,10 +10,10 @@ const wordsOf = (query) => query.toLowerCase().split(/\s+/).map((word) => word.r
 const pattern = (word, whole) => new RegExp(`(?<![\\p{L}\\p{N}])${word.replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&")}${whole ? "(?![\\p{L}\\p{N}])" : ""}`, "giu");
 const times = (text, word, whole) => (text.match(pattern(word, whole)) ?? []).length;
 
-// How well an entry has all words: a heading's whole word counts most, then its word that begins so, then texts. 0 if one
-// is missing. Of up to three letters a word must be whole.
+// How well an entry has all words: a heading that is these words counts most, then its whole word, then its word that begins
+// so, then texts. 0 if one is missing. Of up to three letters a word must be whole.
 const worth = ({page, heading, text}, words) => {
-  let sum = 0;
+  let sum = heading.toLowerCase() === words.join(" ") ? 2000 : 0;
   for (const word of words) {
     const short = word.length <= 3, inText = times(text, word, short), inHeading = times(heading, word, short), inPage = times(page, word, short);
     if (inText + inHeading + inPage === 0) return 0;

@@ -9,13 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
+#include "embedded/charts_script.h"
 #include "embedded/choose_script.h"
 #include "embedded/look.h"
 #include "embedded/sheet_template.h"
-#include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_look.h"
 #include "embedded/view_ranks_script.h"
@@ -246,7 +245,7 @@ class Refiner {
 
   void arrange(pugi::xml_node table) {
     std::vector<std::string> titles;
-    for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
+    for (pugi::xml_node cell : table.child("thead").child("tr").children("th")) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
       put_attribute(cell, "scope", "col");
@@ -265,7 +264,9 @@ class Refiner {
     for (pugi::xml_node row : table.child("tbody").children("tr")) {
       if (folds && row_number++ >= rows_at_first) put_attribute(row, "class", "later");
       bool first = true;
-      for (pugi::xml_node cell : row.children()) {
+      std::vector<pugi::xml_node> cells;
+      for (const pugi::xml_node& cell : row.children("td")) cells.push_back(cell);
+      for (pugi::xml_node& cell : cells) {
         align(cell, first ? "rowheader" : "cell");
         if (first && !text_of(cell).empty()) {
           cell.set_name("th");
@@ -338,8 +339,8 @@ std::string page_html(const std::string& markdown, const PagePictures& pictures,
     const Json data = {{"data", json_in_script(view.dump())}};
     later[view_place] = filled(embedded::view_template, {&data});
     for (const char* part :
-         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
-          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
+         {embedded::charts_script, embedded::view_runs_script, embedded::view_ranks_script,
+          embedded::view_choice_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }

@@ -11,14 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
+#include "embedded/charts_script.h"
 #include "embedded/look.h"
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
-#include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_look.h"
 #include "embedded/view_ranks_script.h"
@@ -260,8 +259,8 @@ Json scripts_of(const Page& page) {
   if (needs_script(page)) scripts.push_back(embedded::page_script);
   if (has_view(page)) {
     for (const char* part :
-         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
-          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
+         {embedded::charts_script, embedded::view_runs_script, embedded::view_ranks_script,
+          embedded::view_choice_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }

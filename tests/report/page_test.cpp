@@ -318,7 +318,7 @@ TEST_F(PageFiles, HaveTheDataOfAViewOfRunsWithItsScripts) {
   EXPECT_THAT(html,
               HasSubstr(R"({"runs":{"columns":["a","b"],"rows":[["\u003c/script>",1],["x",2]]}})"));
   for (const char* part : {"id=\"view-form\"", ".view-form {", "class RunTable", "class Choice",
-                           "class StepChart", "new RunTable("}) {
+                           "class Chart", "new RunTable("}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_THAT(read(root_ / "summary.md"), Not(HasSubstr("runs")));

@@ -72,9 +72,9 @@ std::string bibtex(const std::string& year) {
       RICOCHET_VERSION, year.empty() ? "" : fmt::format("  year    = {{{}}},\n", year));
 }
 
-OwnFiles drawn(const char* source, const Results& results) {
-  auto [files, failures] = report::page_files(report::page_source(source), results,
-                                              {{"machine-sketch", embedded::machine_sketch}});
+OwnFiles drawn(const char* source, const Results& results,
+               const std::map<std::string, std::string>& pictures = {}) {
+  auto [files, failures] = report::page_files(report::page_source(source), results, pictures);
   std::erase_if(files, [](const auto& file) { return file.first.ends_with(".csv"); });
   return {std::move(files), std::move(failures)};
 }
@@ -121,7 +121,7 @@ Results site_results(const std::vector<FoundReport>& reports) {
 }
 
 OwnFiles front_page(const Results& site) {
-  OwnFiles page = drawn(embedded::page_front, site);
+  OwnFiles page = drawn(embedded::page_front, site, {{"machine-sketch", embedded::machine_sketch}});
   Results own;  // what the page has of its own
   own.add(*site.table("reports"));
   own.add(*site.table("missing"));

@@ -29,10 +29,13 @@ bool is_heading(const pugi::xml_node& node) {
   return name.size() == 2 && name[0] == 'h' && name[1] >= '1' && name[1] <= '6';
 }
 
-std::string text_of(const pugi::xml_node& node) {
+enum class Tables { taken, left_out };
+
+std::string text_of(const pugi::xml_node& node, Tables tables = Tables::taken) {
   std::string text;
   for (const pugi::xml_node& child : node.children()) {
-    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child);
+    if (tables == Tables::left_out && std::string(child.name()) == "table") continue;
+    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
   }
   return text;
 }
@@ -79,13 +82,21 @@ void align(pugi::xml_node cell) {
   if (text_of(cell).empty()) cell.set_name("td");  // an empty cell heads nothing
 }
 
-void lead(pugi::xml_node link, const char* attribute, const LinkTarget& target) {
-  const std::string to = target(link.attribute(attribute).value());
-  const std::string alternative = link.attribute("alt").value();
+void lead(pugi::xml_node link, const LinkTarget& target) {
+  const std::string to = target(link.attribute("href").value());
   link.remove_attributes();
-  if (!alternative.empty()) link.append_child(pugi::node_pcdata).set_value(alternative.c_str());
   link.set_name(to.empty() ? "span" : "a");
   if (!to.empty()) link.append_attribute("href") = to.c_str();
+}
+
+/// A picture that the site does not have is its text.
+void show(pugi::xml_node picture, const LinkTarget& target) {
+  const std::string from = target(picture.attribute("src").value());
+  picture.attribute("src") = from.c_str();
+  if (!from.empty()) return;
+  picture.set_name("span");
+  picture.append_child(pugi::node_pcdata).set_value(picture.attribute("alt").value());
+  picture.remove_attributes();
 }
 
 /// Changes all below a node, whose children may move.
@@ -99,8 +110,8 @@ void refine(pugi::xml_node node, const LinkTarget& target, Passed& passed) {
       child.append_attribute("id") = anchor_of(passed.heading).c_str();
     }
     refine(child, target, passed);
-    if (name == "a") lead(child, "href", target);
-    if (name == "img") lead(child, "src", target);
+    if (name == "a") lead(child, target);
+    if (name == "img") show(child, target);
     if (name == "th" || name == "td") align(child);
     if (name == "table" || name == "pre") make_scrollable(child, passed);
   }
@@ -110,9 +121,10 @@ std::vector<DocumentPart> parts_of(const pugi::xml_node& main) {
   std::vector<DocumentPart> parts;
   for (const pugi::xml_node& node : main.children()) {
     if (is_heading(node)) {
-      parts.push_back({text_of(node), node.attribute("id").value(), ""});
+      parts.push_back({text_of(node), node.attribute("id").value(), "", ""});
     } else if (!parts.empty()) {
       parts.back().text += text_of(node) + " ";
+      parts.back().prose += text_of(node, Tables::left_out) + " ";
     }
   }
   return parts;

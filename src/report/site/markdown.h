@@ -9,7 +9,8 @@ namespace ricochet::site {
 /// A part of a document from one heading to the next.
 struct DocumentPart {
   std::string heading, anchor;
-  std::string text;  ///< plain
+  std::string text;   ///< plain
+  std::string prose;  ///< the same without tables
 };
 
 /// A Markdown document as HTML.
@@ -22,8 +23,8 @@ struct Document {
 /// Returns where a link of the document leads on the site; empty if nowhere, then its text stays.
 using LinkTarget = std::function<std::string(const std::string&)>;
 
-/// Converts Markdown with tables (the dialect of GitHub). Pictures become links to them. HTML in
-/// the text is dropped. Throws std::runtime_error for text that the library does not accept.
+/// Converts Markdown with tables (the dialect of GitHub). HTML in the text is dropped. Throws
+/// std::runtime_error for text that the library does not accept.
 Document document_of(const std::string& markdown, const LinkTarget& target);
 
 }  // namespace ricochet::site

@@ -9,7 +9,7 @@
 #include "embedded/document_template.h"
 #include "embedded/documents.h"
 #include "embedded/look.h"
-#include "embedded/machine_drawing.h"
+#include "embedded/machine_sketch.h"
 #include "embedded/search_script.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
@@ -169,6 +169,27 @@ class Links {
   fs::path site_;
 };
 
+/// Adds the headings of a page that has a summary, and what stands below each but for tables.
+void add_page(const fs::path& site, const std::string& folder, const std::string& finding,
+              std::vector<SearchEntry>& search) {
+  const fs::path page = below(site, folder);
+  std::error_code none;
+  if (!fs::exists(page / "summary.md", none) || !fs::exists(page / "index.html", none)) return;
+  const std::string html = text_of_file(page / "index.html");
+  const Document document = document_of(text_of_file(page / "summary.md"),
+                                        [](const std::string&) { return std::string(); });
+  const std::string address = "../" + folder + "/index.html";
+  for (const DocumentPart& part : document.parts) {
+    if (&part == &document.parts.front()) {
+      search.push_back({document.title, part.heading, address, finding + " " + part.prose});
+    } else if (html.find("id=\"" + part.anchor + "\"") != std::string::npos) {
+      search.push_back({document.title, part.heading, address + "#" + part.anchor, part.prose});
+    } else {
+      search.back().text += part.heading + " " + part.prose;
+    }
+  }
+}
+
 std::string page_of(const char* sheet, Json data) {
   data["look"] = embedded::look;
   return report::filled(sheet, {&data});
@@ -197,10 +218,13 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
     list.push_back({{"name", name}, {"title", title}});
     place.pages.emplace_back(name);
   }
+  for (const std::string& own : {machine_place().folder, std::string(cite_folder)})
+    add_page(site, own, "", search);
   for (const FoundReport& report : reports) {
-    if (!report.headline) continue;
-    search.push_back({label_of(report), report.headline->title,
-                      "../" + report.folder + "/index.html", report.headline->finding});
+    const auto finding = [](const auto& one) { return one.headline ? one.headline->finding : ""; };
+    add_page(site, report.folder, finding(report), search);
+    for (const FoundPage& page : report.pages)
+      add_page(site, report.folder + "/" + page.folder, finding(page), search);
   }
   Json data = Json(search);
   report::replace_files(
@@ -208,7 +232,7 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
                 page_of(embedded::docs_template, {{"documents", list},
                                                   {"search", report::json_in_script(data.dump())},
                                                   {"script", embedded::search_script}})},
-               {drawing, embedded::machine_drawing}});
+               {drawing, embedded::machine_sketch}});
   return place;
 }
 

@@ -36,6 +36,7 @@ const tests = {
   "a solver is found by its name, and by a part of it": () => {
     const entries = [entry("Solvers", "nlopt-cobyla", "Powell 1994"), entry("Solvers", "nlopt-bobyqa", "unlike nlopt-cobyla"), entry("Solvers", "prima-cobyla")];
     assert.deepEqual(links(entries, "nlopt-cobyla"), ["Solvers: nlopt-cobyla", "Solvers: nlopt-bobyqa"]);
+    assert.deepEqual(links([entry("Solvers", "nlopt-cobyla-tuned", "as nlopt-cobyla"), ...entries], "NLopt-COBYLA")[0], "Solvers: nlopt-cobyla");
     assert.deepEqual(links(entries, "cobyla"), ["Solvers: nlopt-cobyla", "Solvers: prima-cobyla", "Solvers: nlopt-bobyqa"]);
   },
   "a heading's whole word goes before its beginning, and that before texts": () => {

@@ -86,6 +86,10 @@ struct Comparison {
     return campaign->problems()[result.cell->problem];
   }
 
+  bool has_largest_budget(const CellResult& result) const {
+    return result.cell->cell.budget == part->budgets.back();
+  }
+
   /// Indices into the campaign's problems, in order of first occurrence.
   std::vector<std::size_t> problems() const;
 };

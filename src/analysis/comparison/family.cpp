@@ -40,15 +40,16 @@ std::optional<std::string> text_of(const std::string& family, const std::string&
   return like ? text_of(*like, key) : std::nullopt;
 }
 
-/// Sets the texts that say what a family asks; those that it lacks are missing.
-void set_texts(Results& part, const std::string& family, const Problem& problem) {
+/// Sets the texts that say what a family asks; those that it lacks are missing, and all if the page
+/// has them already.
+void set_texts(Results& part, const std::string& family, const Problem& problem, bool told) {
   Results names;
   names.set("smoothing", problem.smoothing);
   for (const char* key : {"minimise", "when", "measure", "risk"})
     names.set(key, text_of(family, key));
   for (const char* key :
        {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
-    const auto text = text_of(family, key);
+    const auto text = told ? std::nullopt : text_of(family, key);
     part.set(key, text ? value_of(report::filled_line(*text, names)) : Value());
   }
   part.set("title", report::filled_line(text_of(family, "title").value_or(family), names));
@@ -153,7 +154,7 @@ void add_budgets(const RatedPart& rated, std::size_t g, Results& part) {
   const std::vector<std::int64_t>& budgets = rated.comparison.part->budgets;
   const Group& group = rated.groups[g];
   for (std::size_t b = budgets.size(); b-- > 0;) {  // the largest first
-    const std::vector<Rating>& ratings = rated.ratings[g][b].by_returned;
+    const std::vector<Rating>& ratings = rated.ratings[g][b];
     report::Part budget{fmt::format("{}", budgets[b]), fmt::format("{}", budgets[b]), {}};
     budget.results.add(runtime_ecdf(group.family, budgets[b], ratings));
     budget.results.add(rating_table("ratings", ratings, group.problems.size()));
@@ -208,10 +209,14 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       const Problem& first = campaign.problems()[group.problems.front()];
       const Problem& constrained = campaign.problems()[*std::ranges::max_element(
           group.problems, {}, [&](std::size_t q) { return campaign.problems()[q].constraints; })];
-      set_texts(results, own, first);
+      const bool told = std::ranges::any_of(page->results.parts["families"], [&](const auto& one) {
+        return *one.results.value("own") == Value(own);
+      });
+      set_texts(results, own, first, told);
       if (page->results.values.empty()) {
         page->results.set("heading", text_of(folder, "title").value_or(folder));
       }
+      results.set("own", own);
       results.set("family", group.family);
       results.set("finding", first_sentences(where(leaders, "family", group.family)));
       results.set("shown", first.name);
@@ -220,11 +225,11 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       results.add(variable_table(first));
       results.add(taken_formulations(constrained));
       results.add(problem_table(rated, group, hashes));
-      if (first.dimension() == 1) results.add(objective_chart(first));
+      if (first.dimension() == 1 && !told) results.add(objective_chart(first));
       add_budgets(rated, g, results);
       results.add(solved_map(rated, g));
       results.add(result_table(rated, group));
-      results.add(formulation_table(rated.comparison, group));
+      results.add(formulation_table(rated.most(g)));
       results.add(ceiling_table(rated.comparison, group));
       for (const EntrySet& set : sets) {
         if (set.family == group.family && set.largest)

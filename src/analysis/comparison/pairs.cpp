@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "src/analysis/statistics/attainment.h"
 #include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
-#include "src/analysis/statistics/running_time.h"
+#include "src/analysis/statistics/profiles.h"
 #include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
@@ -36,59 +34,14 @@ Costs costs_of(const EntrySet& set, const Cost& cost) {
   return costs;
 }
 
-/// Share of the problems on which the entry's ratio is below 1.
-double share_won(const Costs& extended, std::size_t entry) {
-  const auto won = std::count_if(extended.begin(), extended.end(),
-                                 [&](const auto& row) { return row[entry] < 1; });
-  return static_cast<double>(won) / static_cast<double>(extended.size());
-}
-
 /// The share of problems [%] within a factor of the least cost, over the factor.
 Series profile_of(const Costs& ratios, std::size_t entry, const std::string& name) {
   Series profile{name, Mark::steps, {}};
   for (int k = 0; k <= 14; ++k) {
     const double ratio = std::pow(2.0, k / 2.0);
-    profile.samples.push_back({ratio, 100 * performance_profile(ratios, entry, ratio).mean});
+    profile.samples.push_back({ratio, 100 * performance_profile(ratios, entry, ratio)});
   }
   return profile;
-}
-
-/// One bar per problem, in rising order: log2 of the expected evaluations of the first over those
-/// of the second.
-Chart log_ratio_chart(const Campaign& campaign, const EntrySet& set,
-                      const std::vector<const Entry*>& best) {
-  const Entry& a = *best[0];
-  const Entry& b = *best[1];
-  std::vector<double> costs_of_a, costs_of_b;
-  for (std::size_t q = 0; q < set.problems.size(); ++q) {
-    costs_of_a.push_back(running_time(campaign, *a.results[q]));
-    costs_of_b.push_back(running_time(campaign, *b.results[q]));
-  }
-  std::array<Series, 4> bars;
-  const std::array names{std::string("both solve it"), "only " + a.solver, "only " + b.solver,
-                         std::string("neither does")};
-  int ahead = 0, place = 0;
-  for (const LogRatio& bar : log_ratio_profile(costs_of_a, costs_of_b)) {
-    bars.at(static_cast<std::size_t>(bar.solved_by))
-        .samples.push_back({static_cast<double>(++place), bar.log2_ratio,
-                            Range{std::min(bar.log2_ratio, 0.0), std::max(bar.log2_ratio, 0.0)}});
-    if (bar.solved_by != SolvedBy::neither && bar.log2_ratio < 0) ++ahead;
-  }
-  Chart chart{
-      .name = "log-ratio",
-      .title = fmt::format("{}: {} needs less than {} on {} of {} problems", set.family, a.solver,
-                           b.solver, ahead, set.problems.size()),
-      .x = {"problem, by the ratio"},
-      .y = {fmt::format("log2 of the evaluations of {} over those of {}", a.solver, b.solver)},
-      .width = 820,
-      .height = 300};
-  for (std::size_t k = 0; k < bars.size(); ++k) {
-    if (bars.at(k).samples.empty()) continue;
-    bars.at(k).label = names.at(k);
-    bars.at(k).mark = Mark::points;
-    chart.series.push_back(std::move(bars.at(k)));
-  }
-  return chart;
 }
 
 }  // namespace
@@ -100,7 +53,6 @@ void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results
   const Costs penalised =
       costs_of(set, [&](const CellResult& result) { return penalised_cost(campaign, result); });
   const Costs ratios = performance_ratios(times);
-  const Costs extended = extended_performance_ratios(times);
   const double best = mean_cost(virtual_best(penalised));
   Table table{"profile",
               {{"solver"},
@@ -109,7 +61,6 @@ void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results
                {"twice", "at most twice [%]", ".0%"},
                {"tenfold", "at most tenfold [%]", ".0%"},
                {"solved", "solved [%]", ".0%"},
-               {"alone", "ahead of all others [%]", ".0%"},
                {"cost", "PAR10 [evaluations a variable]", ".3g"},
                {"gap", "times the virtual best's", ".2g", 3}}};
   Chart chart{.name = "profile",
@@ -122,10 +73,10 @@ void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results
     const auto e = static_cast<std::size_t>(entry - set.entries.data());
     std::vector<double> mine;
     for (const auto& row : penalised) mine.push_back(row[e]);
-    const auto within = [&](double ratio) { return performance_profile(ratios, e, ratio).mean; };
+    const auto within = [&](double ratio) { return performance_profile(ratios, e, ratio); };
     table.add(entry->solver, entry->formulation, within(1), within(2), within(10),
-              within(std::numeric_limits<double>::infinity()), share_won(extended, e),
-              mean_cost(mine), mean_cost(mine) / best);
+              within(std::numeric_limits<double>::infinity()), mean_cost(mine),
+              mean_cost(mine) / best);
     if (chart.series.size() < drawn) {
       chart.series.push_back(
           profile_of(ratios, e, ricochet::comparison::entry(entry->solver, entry->formulation)));
@@ -141,7 +92,6 @@ void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results
                        first.text("solver"), first.number("cost"), first.number("gap"), best));
   page.add(std::move(table));
   page.add(std::move(chart));
-  page.add(log_ratio_chart(campaign, set, order));
 }
 
 double running_time(const Campaign& campaign, const CellResult& result) {
@@ -211,74 +161,6 @@ std::vector<double> times_of(const CellResult& result) {
   return times;
 }
 
-/// The improvements of all runs as far as their returned points, with evaluations per variable and
-/// optimality gaps in tolerances.
-RunsOfUnits histories_of(const Campaign& campaign, const Entry& entry, double variables) {
-  RunsOfUnits units;
-  for (const CellResult* result : entry.results) {
-    const Problem& problem = campaign.problems()[result->cell->problem];
-    const double longer = variables / static_cast<double>(problem.dimension());
-    auto& runs = units.emplace_back();
-    for (const Outcome& outcome : result->outcomes) {
-      History& history = runs.emplace_back();
-      for (const Step& step : steps_of(outcome)) {
-        const double at = longer * static_cast<double>(step.evaluations);
-        const double value = step.optimality_gap / tolerance_of(problem);
-        const bool improves =
-            history.empty() || (value < history.back().value && at > history.back().evaluations);
-        if (improves) history.push_back({at, value});
-      }
-    }
-  }
-  return units;
-}
-
-/// Shows which of the two is ahead, in points: a row for each optimality gap, a column for each
-/// number of evaluations.
-Chart lead_map(const Campaign& campaign, const EntrySet& set, const Entry& a, const Entry& b) {
-  double variables = 1;
-  for (const std::size_t q : set.problems) {
-    variables = std::max(variables, static_cast<double>(campaign.problems()[q].dimension()));
-  }
-  AttainmentGrid grid{{}, {1, 3, 5, 9, 17, 100, 1000}};
-  Chart chart{.name = "lead",
-              .x = {"evaluations for each variable"},
-              .y = {"optimality gap [tolerances]"},
-              .heat_map =
-                  report::HeatMap{
-                      fmt::format("{} less {} [points]", a.solver, b.solver), {}, Range{-100, 100}},
-              .width = 820,
-              .height = 320};
-  for (double t = 1; t < 1.001 * static_cast<double>(set.budget); t *= std::sqrt(std::sqrt(10))) {
-    grid.evaluations.push_back(t * variables);
-    chart.x.categories.push_back(fmt::format("{:.3g}", t));
-  }
-  const auto difference = attainment_difference(histories_of(campaign, a, variables),
-                                                histories_of(campaign, b, variables), grid);
-  double most = 0;  // significant leads, in the share solved
-  double least = 0;
-  for (std::size_t v = 0; v < grid.values.size(); ++v) {
-    auto& row = chart.heat_map->rows.emplace_back();
-    for (std::size_t t = 0; t < grid.evaluations.size(); ++t) {
-      const Attained& one = difference[t][v];
-      row.emplace_back(100 * one.share);
-      if (v > 0 || (one.interval.lower <= 0 && one.interval.upper >= 0)) continue;
-      most = std::max(most, one.share);
-      least = std::min(least, one.share);
-    }
-    chart.y.categories.push_back(fmt::format("{:g}", grid.values[v]));
-  }
-  const bool first = most >= -least;
-  chart.title = most == least ? fmt::format("{}: nothing tells {} from {} in what they solve",
-                                            set.family, a.solver, b.solver)
-                              : fmt::format("{}: {} solves up to {:.0f} points more than {}",
-                                            set.family, (first ? a : b).solver,
-                                            100 * std::max(most, -least), (first ? b : a).solver);
-  chart.description = fmt::format(
-      "Heat map of the difference of the attainment functions of {} and {}.", a.solver, b.solver);
-  return chart;
-}
-
 }  // namespace
 
 void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& page) {
@@ -328,7 +210,6 @@ void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& p
               one.posterior.positive, one.a_faster, one.b_faster, set.problems.size());
   }
   page.add(std::move(table));
-  page.add(lead_map(campaign, set, *best[0], *best[1]));
 }
 
 }  // namespace ricochet::studies::comparison

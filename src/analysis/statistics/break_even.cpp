@@ -67,18 +67,6 @@ std::optional<double> break_even_simulation(const Expense& a, const Expense& b,
   return overhead / simulations;
 }
 
-std::optional<double> break_even_gradient_price(const Expense& a, const Expense& b,
-                                                double simulation) {
-  check(a);
-  check(b);
-  check(simulation);
-  if (simulation == 0) throw std::invalid_argument("break_even_gradient_price: no time");
-  const double gradients = simulation * (a.gradients - b.gradients);
-  const double rest = b.overhead - a.overhead + simulation * (b.evaluations - a.evaluations);
-  if (gradients == 0 || !(rest / gradients >= 0)) return std::nullopt;
-  return rest / gradients;
-}
-
 std::vector<double> virtual_best(const Costs& costs) {
   check_costs(costs);
   std::vector<double> best;
@@ -86,20 +74,6 @@ std::vector<double> virtual_best(const Costs& costs) {
     best.push_back(*std::min_element(row.begin(), row.end()));
   }
   return best;
-}
-
-VirtualBestGap virtual_best_gap(const Costs& costs) {
-  const std::size_t solvers = check_costs(costs);
-  std::vector<double> means;
-  for (std::size_t solver = 0; solver < solvers; ++solver) {
-    std::vector<double> own;
-    for (const std::vector<double>& row : costs) own.push_back(row[solver]);
-    means.push_back(shifted_geometric_mean(own));
-  }
-  const auto least = std::min_element(means.begin(), means.end());
-  return {.single_best = static_cast<std::size_t>(least - means.begin()),
-          .mean_of_single_best = *least,
-          .mean_of_virtual_best = shifted_geometric_mean(virtual_best(costs))};
 }
 
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points) {

@@ -32,28 +32,9 @@ std::vector<std::vector<std::size_t>> cheapest_solvers(const std::vector<Expense
 std::optional<double> break_even_simulation(const Expense& a, const Expense& b,
                                             double gradient_price);
 
-/// The price of a gradient at which both solvers take the same time. Below it the solver with more
-/// gradients is faster, above it the other. Nothing if there is no such price >= 0. Throws
-/// std::invalid_argument as above, or for a simulation that takes no time.
-std::optional<double> break_even_gradient_price(const Expense& a, const Expense& b,
-                                                double simulation);
-
 /// The least cost of each problem: that of a virtual solver that always picks the best one present.
 /// Infinite if none solved it. Throws std::invalid_argument for invalid costs.
 std::vector<double> virtual_best(const Costs& costs);
-
-/// The cost of using one solver for all problems instead of the best for each.
-struct VirtualBestGap {
-  std::size_t single_best;  ///< the solver with the least mean, the first of equals
-  double mean_of_single_best;
-  double mean_of_virtual_best;
-};
-
-/// The single best solver against the virtual best, by shifted geometric means with PAVER's shift
-/// and floor (Lindauer, van Rijn and Kotthoff 2019, doi:10.1016/j.artint.2018.10.004, on the gap).
-/// Charge a failed run what it spent: one infinite cost makes the mean infinite. Throws
-/// std::invalid_argument as above.
-VirtualBestGap virtual_best_gap(const Costs& costs);
 
 /// A point with two values to be minimised; infinite values are allowed.
 struct CostAndError {

@@ -79,19 +79,6 @@ double quantile(std::vector<double> sample, double q) {
   return std::isinf(high) ? high : low + share * (high - low);
 }
 
-Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
-                         std::uint64_t seed) {
-  Random random(seed);
-  const auto size = static_cast<double>(sample.size());
-  std::vector<double> medians;
-  std::vector<double> drawn(sample.size());
-  for (int i = 0; i < resamples; ++i) {
-    for (double& x : drawn) x = sample[static_cast<std::size_t>(size * uniform(random))];
-    medians.push_back(quantile(drawn, 0.5));
-  }
-  return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
-}
-
 double root_mean_square(const std::vector<double>& errors) {
   double squares = 0;
   for (const double error : errors) squares += error * error;

@@ -124,12 +124,4 @@ std::size_t check_costs(const Costs& costs) {
   return costs.front().size();
 }
 
-Costs costs_of_pair(const Costs& costs, std::size_t a, std::size_t b) {
-  const std::size_t solvers = check_costs(costs);
-  if (a >= solvers || b >= solvers) throw std::invalid_argument("costs_of_pair: no such solver");
-  Costs pair;
-  for (const std::vector<double>& row : costs) pair.push_back({row[a], row[b]});
-  return pair;
-}
-
 }  // namespace ricochet

@@ -70,8 +70,4 @@ using Costs = std::vector<std::vector<double>>;
 /// rows differ in length, or a cost is not positive.
 std::size_t check_costs(const Costs& costs);
 
-/// The costs of two solvers only. Throws std::invalid_argument as above, or for an index without a
-/// solver.
-Costs costs_of_pair(const Costs& costs, std::size_t a, std::size_t b);
-
 }  // namespace ricochet

@@ -17,12 +17,9 @@ constexpr Expense derivative = {0, 10, 1};  // gradients
 TEST(BreakEven, IsWhatIsComputedByHand) {
   EXPECT_DOUBLE_EQ(seconds_to_target({20, 5, 9}, 0.5, 3), 9 + 0.5 * (20 + 15));
   EXPECT_DOUBLE_EQ(*break_even_simulation(plain, model, 1), 0.1);  // 1 + 100 c = 9 + 20 c
-  EXPECT_DOUBLE_EQ(*break_even_gradient_price(plain, derivative, 0.3), 10);
-  EXPECT_DOUBLE_EQ(*break_even_gradient_price(model, derivative, 2), 2.4);  // 49 = 1 + 20 p
   EXPECT_FALSE(break_even_simulation(plain, derivative, 5));  // never dearer, always ahead
   EXPECT_FALSE(break_even_simulation({10, 0, 1}, {20, 0, 2}, 5));
   EXPECT_FALSE(break_even_simulation(plain, plain, 5));
-  EXPECT_FALSE(break_even_gradient_price(plain, model, 1));  // no gradients
 }
 
 TEST(BreakEven, HasTheCheapestOfAGrid) {
@@ -39,7 +36,6 @@ TEST(BreakEven, IsWhereTheCheaperOfTwoChanges) {
   for (int i = 0; i < 300; ++i) {
     const std::vector<Expense> pair = {drawn(), drawn()};
     const double price = 5 * uniform(random);
-    const double simulation = uniform(random);
     const auto at = [&](double c, double p) { return cheapest_solvers(pair, {c}, {p})[0][0]; };
     if (const auto c = break_even_simulation(pair[0], pair[1], price)) {
       ++crossings;
@@ -48,12 +44,6 @@ TEST(BreakEven, IsWhereTheCheaperOfTwoChanges) {
       EXPECT_NE(at(0.999 * *c, price), at(1.001 * *c, price));
     } else {
       EXPECT_EQ(at(1e-6, price), at(1e6, price));
-    }
-    if (const auto p = break_even_gradient_price(pair[0], pair[1], simulation)) {
-      EXPECT_NE(at(simulation, 0.999 * *p), at(simulation, 1.001 * *p));
-      EXPECT_EQ(at(simulation, 0.999 * *p), pair[0].gradients > pair[1].gradients ? 0U : 1U);
-    } else {
-      EXPECT_EQ(at(simulation, 0), at(simulation, 1e9));
     }
   }
   EXPECT_GT(crossings, 50);
@@ -65,7 +55,6 @@ TEST(BreakEven, RefusesWhatDoesNotFit) {
   EXPECT_THROW(seconds_to_target({-1, 1, 1}, 1, 1), std::invalid_argument);
   EXPECT_THROW(cheapest_solvers({}, {1}, {1}), std::invalid_argument);
   EXPECT_THROW(break_even_simulation(plain, model, -1), std::invalid_argument);
-  EXPECT_THROW(break_even_gradient_price(plain, model, 0), std::invalid_argument);
 }
 
 }  // namespace

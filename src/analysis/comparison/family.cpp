@@ -40,17 +40,21 @@ std::optional<std::string> text_of(const std::string& family, const std::string&
   return like ? text_of(*like, key) : std::nullopt;
 }
 
-/// Sets the texts that say what a family asks; those that it lacks are missing, and all if the page
-/// has them already.
-void set_texts(Results& part, const std::string& family, const Problem& problem, bool told) {
+/// Sets the texts that say what a family asks; those that it lacks, or that an earlier part of the
+/// page has word for word, are missing.
+void set_texts(Results& part, const std::string& family, const Problem& problem,
+               const std::vector<report::Part>& earlier) {
   Results names;
   names.set("smoothing", problem.smoothing);
   for (const char* key : {"minimise", "when", "measure", "risk"})
     names.set(key, text_of(family, key));
   for (const char* key :
        {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
-    const auto text = told ? std::nullopt : text_of(family, key);
-    part.set(key, text ? value_of(report::filled_line(*text, names)) : Value());
+    const auto text = text_of(family, key);
+    const Value filled = text ? value_of(report::filled_line(*text, names)) : Value();
+    const bool told = std::ranges::any_of(
+        earlier, [&](const report::Part& one) { return *one.results.value(key) == filled; });
+    part.set(key, told ? Value() : filled);
   }
   part.set("title", report::filled_line(text_of(family, "title").value_or(family), names));
 }
@@ -209,14 +213,11 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       const Problem& first = campaign.problems()[group.problems.front()];
       const Problem& constrained = campaign.problems()[*std::ranges::max_element(
           group.problems, {}, [&](std::size_t q) { return campaign.problems()[q].constraints; })];
-      const bool told = std::ranges::any_of(page->results.parts["families"], [&](const auto& one) {
-        return *one.results.value("own") == Value(own);
-      });
-      set_texts(results, own, first, told);
+      const std::vector<report::Part>& earlier = page->results.parts["families"];
+      set_texts(results, own, first, earlier);
       if (page->results.values.empty()) {
         page->results.set("heading", text_of(folder, "title").value_or(folder));
       }
-      results.set("own", own);
       results.set("family", group.family);
       results.set("finding", first_sentences(where(leaders, "family", group.family)));
       results.set("shown", first.name);
@@ -225,7 +226,7 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       results.add(variable_table(first));
       results.add(taken_formulations(constrained));
       results.add(problem_table(rated, group, hashes));
-      if (first.dimension() == 1 && !told) results.add(objective_chart(first));
+      if (first.dimension() == 1) results.add(objective_chart(first));
       add_budgets(rated, g, results);
       results.add(solved_map(rated, g));
       results.add(result_table(rated, group));

@@ -299,8 +299,7 @@ Table leader_table(const std::vector<RatedPart>& parts) {
                 : easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
                        : "none (the least mean rank solved no run)",
                 value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
-                first ? tuned_mark(first->solver) : "",
-                value_of(first, &Rating::returned),
+                first ? tuned_mark(first->solver) : "", value_of(first, &Rating::returned),
                 value_of(first, &Rating::probability_of_being_best),
                 value_of(first, &Rating::problems), group.problems.size(),
                 std::ranges::count_if(ratings, [](const Rating& r) { return r.rank.has_value(); }),

@@ -136,27 +136,24 @@ std::optional<std::string> joint_sentence(const std::string& solver, const Table
 }
 
 /// The problem of each family on which another solver solved most more than this one, at most
-/// three families, the worst first.
+/// three families, the worst first; nothing if none did.
 std::optional<std::string> failure_sentence(const Table& attempts) {
-  const Table behind =
-      sorted(where(attempts,
-                   [](const Row& row) { return row.number("best_share") > row.number("share"); }),
-             {"family"});
   const Table gaps = sorted(
-      with(behind, {"gap"},
+      with(attempts, {"gap"},
            [](const Row& row) { return value_of(row.number("best_share") - row.number("share")); }),
-      {"-gap"});
+      {"-gap", "family"});
   std::vector<std::string> worst;
   std::set<std::string> families;
   each_row(gaps, [&](const Row& row) {
-    if (worst.size() == shown_failures || !families.insert(row.text("family")).second) return;
+    if (row.number("gap") <= 0 || worst.size() == shown_failures ||
+        !families.insert(row.text("family")).second)
+      return;
     worst.push_back(fmt::format("{} ({:.0f} %; {} {:.0f} %)", row.text("problem"),
                                 100 * row.number("share"), row.text("best"),
                                 100 * row.number("best_share")));
   });
   if (worst.empty()) return {};
-  return fmt::format("It is behind on {} of {} problems, furthest on {}.", behind.rows.size(),
-                     attempts.rows.size(), fmt::join(worst, ", "));
+  return fmt::format("It is furthest behind on {}.", fmt::join(worst, ", "));
 }
 
 /// The termination reasons of all starts: solver, reason, times, share; the most frequent first.
@@ -307,7 +304,7 @@ std::optional<SolverSettings> settings_of(const std::string& solver) {
 
 std::string tuned_mark(const std::string& solver) {
   const auto settings = settings_of(solver);
-  return settings && settings->tuned ? " (tuned to this suite)" : "";
+  return settings && settings->tuned && !solver.ends_with("-tuned") ? " (tuned to this suite)" : "";
 }
 
 std::string kind_of(const std::string& solver) {

@@ -35,7 +35,7 @@ struct SolverSettings {
 /// Nothing for a solver that solvers.toml does not have, such as a user's.
 std::optional<SolverSettings> settings_of(const std::string& solver);
 
-/// " (tuned to this suite)" of a solver whose settings were; else "".
+/// " (tuned to this suite)" of a solver whose settings were, if its name does not say so; else "".
 std::string tuned_mark(const std::string& solver);
 
 /// The solver that is the paper's algorithm.

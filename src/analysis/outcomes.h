@@ -61,8 +61,9 @@ struct Outcome {
 };
 
 /// The improvements that led to the returned point: those of the best evaluated one as far as the
-/// first that is as good as the returned one, whose optimality gap the last step has. A run that returned a feasible point without evaluating one as good has a step at
-/// its end. Empty if there is no feasible point.
+/// first that is as good as the returned one, whose optimality gap the last step has. A run that
+/// returned a feasible point without evaluating one as good has a step at its end. Empty if there
+/// is no feasible point.
 std::vector<Step> steps_of(const Outcome& outcome);
 
 /// Charged evaluations until a point that solves the problem was evaluated if the point that is

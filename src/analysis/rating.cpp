@@ -143,8 +143,8 @@ void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::
   for (std::size_t e = 0; e < size; ++e) {
     ratings[e]->rank = 1 + means[e].value_or(0) * (static_cast<double>(size) - 1);
   }
-  const bool solved = std::any_of(ratings.begin(), ratings.end(),
-                                  [](const Rating* r) { return r->returned > 0; });
+  const bool solved =
+      std::any_of(ratings.begin(), ratings.end(), [](const Rating* r) { return r->returned > 0; });
   if (!solved || places.problems.size() < 2) return;
   const auto probabilities = probabilities_of_being_first(
       places.problems, size, seed_of("rating", "", static_cast<int>(budget), 0));

@@ -12,7 +12,7 @@
 
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/order.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/outcomes.h"

@@ -87,9 +87,9 @@ Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
         evaluations > 0 ? std::max(one.seconds - evaluations * spent.simulation, 0.0) : one.seconds;
     auto& at = spent.expenses.emplace_back();
     for (std::size_t p = 0; p < prices.size(); ++p) {
-      at[p] = {problem.cost * one.values / variables,
-               problem.cost * price_on(problem, prices[p]) * one.gradients / variables,
-               overhead / variables};
+      at[p] = {
+          problem.cost * (one.values + price_on(problem, prices[p]) * one.gradients) / variables,
+          overhead / variables};
     }
   }
   return spent;
@@ -98,13 +98,12 @@ Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
 /// Mean over the problems.
 std::vector<Expense> mean_expenses(const std::vector<Spent>& all,
                                    const std::vector<std::size_t>& problems, std::size_t price) {
-  std::vector<Expense> means(all.front().expenses.size(), Expense{0, 0, 0});
+  std::vector<Expense> means(all.front().expenses.size(), Expense{0, 0});
   const auto count = static_cast<double>(problems.size());
   for (const std::size_t q : problems) {
     for (std::size_t e = 0; e < means.size(); ++e) {
       const Expense& one = all[q].expenses[e][price];
-      means[e].evaluations += one.evaluations / count;
-      means[e].gradients += one.gradients / count;
+      means[e].simulations += one.simulations / count;
       means[e].overhead += one.overhead / count;
     }
   }
@@ -120,18 +119,18 @@ struct Stretch {
 std::vector<Stretch> stretches_of(const std::vector<Expense>& expenses) {
   std::vector<Stretch> stretches;
   double from = cheapest_simulation;
-  std::size_t ahead = cheapest_solvers(expenses, {from}, {1})[0][0];
+  std::size_t ahead = cheapest_solver(expenses, from);
   while (true) {
     stretches.push_back({ahead, from});
     double next = dearest_simulation;
     for (const Expense& other : expenses) {
-      const auto level = break_even_simulation(expenses[ahead], other, 1);
+      const auto level = break_even_simulation(expenses[ahead], other);
       if (level && *level > from) next = std::min(next, *level);
     }
     if (next >= dearest_simulation) return stretches;
     // If several entries are level, take the one that is ahead just above this cost.
     from = next * (1 + 1e-9);
-    const std::size_t after = cheapest_solvers(expenses, {from}, {1})[0][0];
+    const std::size_t after = cheapest_solver(expenses, from);
     if (after == ahead) return stretches;
     ahead = after;
   }
@@ -148,7 +147,7 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
       q = static_cast<std::size_t>(uniform(random) * static_cast<double>(spent.size()));
     }
     const auto expenses = mean_expenses(spent, drawn, price);
-    if (cheapest_solvers(expenses, {simulation}, {1})[0][0] == entry) ++ahead;
+    if (cheapest_solver(expenses, simulation) == entry) ++ahead;
   }
   return ahead / static_cast<double>(resamples);
 }

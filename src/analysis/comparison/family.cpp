@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "embedded/families.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
@@ -176,7 +176,6 @@ void add_set(const Campaign& campaign, const EntrySet& set, const Table& speed_a
     part.add(report::Chart(speed_accuracy_chart(rows, false)));
   }
   if (!set.compared()) return;
-  add_pairs(campaign, set, part);
   if (!set.any_solved()) return;
   add_profiles(campaign, set, part);
   add_break_even(campaign, set, part);
@@ -186,7 +185,7 @@ void add_set(const Campaign& campaign, const EntrySet& set, const Table& speed_a
 void complete(Results& part) {
   for (const char* name : {"virtual-best", "here"})
     if (part.value(name) == nullptr) part.set(name, Value());
-  for (const char* name : {"pairs", "profile", "break-even"})
+  for (const char* name : {"profile", "break-even"})
     if (part.table(name) == nullptr) part.add(Table{name});
 }
 

@@ -184,8 +184,8 @@ Table result_table(const RatedPart& part, const Group& group) {
               value_of(time, &Estimate::value),
               value_of(time, [](const Estimate& e) { return e.interval.lower; }),
               value_of(time, [](const Estimate& e) { return e.interval.upper; }),
-              value_of(r.seconds_to_solve, [](double s) { return 1e3 * s; }), r.gap.value,
-              r.distinct, r.runs, r.failed);
+              value_of(r.seconds_to_solve, [](double s) { return 1e3 * s; }), r.gap, r.distinct,
+              r.runs, r.failed);
   }
   return table;
 }

@@ -21,7 +21,8 @@ MeanShare empirical_distribution(const std::vector<std::vector<double>>& hitting
 /// Performance ratios: each cost over the least cost of any solver for the problem, >= 1. Infinite
 /// if the solver failed, even if all others failed too (Dolan and Moré 2002,
 /// doi:10.1007/s101070100263, equation 2.1). They depend on the solvers present: a third solver may
-/// change which of two is ahead (Gould and Scott 2016, doi:10.1145/2950048). Throws std::invalid_argument for invalid costs.
+/// change which of two is ahead (Gould and Scott 2016, doi:10.1145/2950048). Throws
+/// std::invalid_argument for invalid costs.
 Costs performance_ratios(const Costs& costs);
 
 /// Performance profile at `ratio`: the share of problems on which this solver's ratio is finite and

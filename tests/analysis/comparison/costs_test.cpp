@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/analysis/comparison/family.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "tests/analysis/comparison/made_up_results.h"
@@ -175,20 +175,6 @@ TEST(Profiles, AreOfTheRatiosToTheLeast) {
   EXPECT_NEAR(table[0].number("gap"), std::sqrt(1250.0 / 1000.0), 1e-9);
   EXPECT_EQ(page.chart("profile")->series.size(), 3U);
   EXPECT_EQ(page.chart("profile")->series[0].samples.front().value, 50);
-}
-
-TEST(Pairs, SayWhoIsBetterAndWhere) {
-  const Campaign campaign = campaign_of("\"bowl-*\"", "\"chance-b\", \"luck\"");
-  const auto results = results_of(campaign);
-  report::Results page;
-  add_pairs(campaign, entry_sets_of(campaign, results).at(0), page);
-  const Table& pairs = *page.table("pairs");
-  ASSERT_EQ(pairs.rows.size(), 1U);
-  EXPECT_EQ(pairs[0].text("a"), "chance-b");
-  EXPECT_GT(pairs[0].number("better"), 0.9);
-  EXPECT_NEAR(pairs[0].number("better") + pairs[0].number("equivalent") + pairs[0].number("worse"),
-              1, 1e-9);
-  EXPECT_EQ(pairs[0].number("a_faster"), 0);  // two runs on each side say nothing
 }
 
 TEST(Ecdf, HasTheEndsAloneOfLevelParts) {

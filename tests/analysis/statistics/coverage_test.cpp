@@ -4,7 +4,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -67,28 +66,6 @@ TEST(Coverage, OfAShareIsRightOnAverage) {
     coverages.print("Wilson's interval of a share of " + std::to_string(trials));
     EXPECT_NEAR(coverages.mean(), 0.95, 0.01);
     EXPECT_GT(coverages.least(), 0.82);
-  }
-}
-
-TEST(Coverage, OfAMedianIsNeverLess) {
-  Random random(1);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const std::size_t size : {std::size_t{6}, std::size_t{15}, std::size_t{30}}) {
-    Coverages coverages;
-    const auto median_of = [&](const auto& value) {
-      return [&, value] {
-        std::vector<double> sample(size);
-        for (double& x : sample) x = value(random);
-        return *order_statistic_interval(sample);
-      };
-    };
-    const auto skew = [](Random& r) { return std::exp(2 * standard_normal(r)); };
-    const auto count = [](Random& r) { return std::floor(5 * uniform(r)); };
-    const auto often_never = [&](Random& r) { return uniform(r) < 0.4 ? infinity : uniform(r); };
-    coverages.all = {coverage(4000, 1, median_of(skew)), coverage(4000, 2, median_of(count)),
-                     coverage(4000, 0.5 / 0.6, median_of(often_never))};
-    coverages.print("the median of " + std::to_string(size) + " by order statistics");
-    EXPECT_GT(coverages.least(), 0.94);  // 0.95 but for three deviations of the simulation
   }
 }
 

@@ -1,4 +1,4 @@
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "src/analysis/statistics/break_even.h"
-#include "src/analysis/statistics/hypothesis_tests.h"
 #include "src/analysis/statistics/profiles.h"
-#include "src/core/instance.h"
 
 namespace ricochet::studies::comparison {
 
@@ -127,89 +125,6 @@ std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySe
   std::vector<const Entry*> entries;
   for (const auto& [cost, entry] : order) entries.push_back(entry);
   return entries;
-}
-
-namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Returns the problem's tolerance, or a very small one if it has none.
-double tolerance_of(const Problem& problem) {
-  return std::max(problem.tolerance, 1e-12);
-}
-
-/// Differences of the median optimality gaps in units of the tolerance, one for each problem; 0 if
-/// both are infinite.
-std::vector<double> differences(const Campaign& campaign, const Entry& a, const Entry& b) {
-  std::vector<double> all;
-  for (std::size_t q = 0; q < a.results.size(); ++q) {
-    const double tolerance = tolerance_of(campaign.problems()[a.results[q]->cell->problem]);
-    const double of_a = on_problem(campaign, *a.results[q]).optimality_gap;
-    const double of_b = on_problem(campaign, *b.results[q]).optimality_gap;
-    all.push_back(of_a == of_b ? 0 : (of_a - of_b) / tolerance);
-  }
-  return all;
-}
-
-/// Evaluations until each run solved its problem; infinite if it did not.
-std::vector<double> times_of(const CellResult& result) {
-  std::vector<double> times;
-  for (const Outcome& outcome : result.outcomes) {
-    times.push_back(outcome.solved() ? static_cast<double>(evaluations_until_solved(outcome))
-                                     : never);
-  }
-  return times;
-}
-
-}  // namespace
-
-void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& page) {
-  constexpr std::size_t compared = 4;
-  std::vector<const Entry*> best = cheapest_first(campaign, set);
-  best.resize(std::min(compared, best.size()));
-  struct Pair {
-    const Entry *a, *b;
-    SignedRankPosterior posterior;
-    int a_faster = 0, b_faster = 0;
-  };
-  std::vector<Pair> pairs;
-  std::vector<double> p_values;
-  std::vector<double> faster;  // P(a is faster than b), for each p-value
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    for (std::size_t k = i + 1; k < best.size(); ++k) {
-      const Entry& a = *best[i];
-      const Entry& b = *best[k];
-      pairs.push_back({&a, &b,
-                       bayesian_signed_rank(
-                           differences(campaign, a, b), 1,
-                           seed_of("pairs", set.family, static_cast<int>(i * compared + k), 0))});
-      for (std::size_t q = 0; q < set.problems.size(); ++q) {
-        const RankSumTest test = rank_sum_test(times_of(*a.results[q]), times_of(*b.results[q]));
-        p_values.push_back(test.p_value);
-        faster.push_back(test.smaller);
-      }
-    }
-  }
-  const std::vector<double> adjusted = holm(p_values);
-  Table table{"pairs",
-              {{"a", "A"},
-               {"b", "B"},
-               {"better", "P(A better)", ".2f", 3},
-               {"equivalent", "P(equivalent)", ".2f", 3},
-               {"worse", "P(A worse)", ".2f", 3},
-               {"a_faster", "A significantly faster"},
-               {"b_faster", "B significantly faster"},
-               {"problems"}}};
-  for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-    Pair& one = pairs[pair];
-    for (std::size_t q = 0; q < set.problems.size(); ++q) {
-      const std::size_t test = pair * set.problems.size() + q;
-      if (adjusted[test] < 0.05) ++(faster[test] > 0.5 ? one.a_faster : one.b_faster);
-    }
-    table.add(one.a->solver, one.b->solver, one.posterior.negative, one.posterior.equivalent,
-              one.posterior.positive, one.a_faster, one.b_faster, set.problems.size());
-  }
-  page.add(std::move(table));
 }
 
 }  // namespace ricochet::studies::comparison

@@ -33,12 +33,4 @@ std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySe
 /// value "virtual-best" says the single best in words.
 void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results& page);
 
-/// Compares in pairs the four entries of a set that have the least penalised cost. For the
-/// differences of their median optimality gaps, one for each problem, it computes the Bayesian
-/// signed-rank test with the problem's tolerance (half a collision for a count) as the region of
-/// practical equivalence. For the evaluations until their runs solve each problem, it computes the
-/// Mann-Whitney rank-sum test with Holm's correction over all pairs and problems of the set: on how
-/// many problems each is significantly faster. Table "pairs".
-void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& page);
-
 }  // namespace ricochet::studies::comparison

@@ -374,7 +374,7 @@ void add_solvers(const std::optional<StoredCampaign>& comparison, Results& resul
     const std::vector<Group> groups = groups_of(compared);
     const Ratings ratings = ratings_of(compared, groups);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      const std::vector<Rating>& by_returned = ratings[g].back().by_returned;
+      const std::vector<Rating>& by_returned = ratings[g].back();
       if (by_returned.empty()) continue;
       for (const Rating* r : told_ratings(by_returned)) {
         const Reach& last = r->progress.back();

@@ -27,20 +27,10 @@ double penalised_cost(const Campaign& campaign, const CellResult& result);
 std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySet& set);
 
 /// Adds what compares the entries of a set on which a run solved its problem, to a family's page:
-/// - table "profile" and chart "profile": performance profiles of the expected running times, the
-///   six entries with the least penalised cost in the chart; for all entries the share of problems
-///   within a factor of the least, the share on which it is best, and the ratio of its penalised
-///   cost to the virtual best solver's; the value "virtual-best" says the single best in words;
-/// - chart "log-ratio": for every problem the ratio of the evaluations of the two best entries.
+/// table "profile" and chart "profile", performance profiles of the expected running times, the six
+/// entries with the least penalised cost in the chart; for all entries the share of problems within
+/// a factor of the least, and the ratio of its penalised cost to the virtual best solver's; the
+/// value "virtual-best" says the single best in words.
 void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results& page);
-
-/// Compares in pairs the four entries of a set that have the least penalised cost. For the
-/// differences of their median optimality gaps, one for each problem, it computes the Bayesian
-/// signed-rank test with the problem's tolerance (half a collision for a count) as the region of
-/// practical equivalence. For the evaluations until their runs solve each problem, it computes the
-/// Mann-Whitney rank-sum test with Holm's correction over all pairs and problems of the set: on how
-/// many problems each is significantly faster. Table "pairs". For the two cheapest also the
-/// difference of their attainment functions, chart "lead".
-void add_pairs(const Campaign& campaign, const EntrySet& set, report::Results& page);
 
 }  // namespace ricochet::studies::comparison

@@ -199,7 +199,7 @@ int impact_test(const ImpactTestOptions& options, const StudyOptions& study) {
     fmt::print("{}", finished.epilogue);
   }
   report::require_none(finished.failures);
-  return finished.data["ours"]["wrong"] == 0 ? 0 : 1;
+  return finished.data["values"]["lost"] == 0 ? 0 : 1;
 }
 
 int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {

@@ -12,14 +12,14 @@
 #include "embedded/page_comparison_machines.h"
 #include "embedded/page_comparison_solvers.h"
 #include "embedded/page_comparison_view.h"
+#include "embedded/page_dynamics.h"
 #include "embedded/page_fireworks.h"
+#include "embedded/page_impact_test.h"
 #include "embedded/page_machine.h"
 #include "embedded/page_reproduction.h"
 #include "embedded/page_surrogate.h"
 #include "embedded/page_verification.h"
-#include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
-#include "embedded/template_impact_test.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_stress.h"
 #include "ricochet/error.h"
@@ -45,13 +45,13 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"comparison_solvers", embedded::page_comparison_solvers},
     {"comparison_view", embedded::page_comparison_view},
     {"advice", embedded::page_machine},
-    {"dynamics", embedded::template_dynamics},
+    {"dynamics", embedded::page_dynamics},
     {"surrogate", embedded::page_surrogate},
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
     {"calibration", embedded::page_calibration},
     {"verification", embedded::page_verification},
-    {"impact-test", embedded::template_impact_test},
+    {"impact-test", embedded::page_impact_test},
     {"stress", embedded::template_stress},
     {"fireworks", embedded::page_fireworks},
 };

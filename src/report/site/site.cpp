@@ -45,7 +45,7 @@ std::vector<Place> written_places(const fs::path& folder, const std::vector<Foun
   const Place machine = machine_place();
   std::error_code none;
   if (!fs::exists(below(folder, machine.folder) / data_file, none)) {  // no report is there
-    OwnFiles page = machine_page(site, reports);
+    OwnFiles page = machine_page(site);
     report::replace_files(below(folder, machine.folder), page.files);
     for (const std::string& line : page.failures) failures.push_back(machine.folder + ": " + line);
     own.push_back(machine);

@@ -201,6 +201,7 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
   std::set<std::string> there;
   Tallies tallies;
   std::map<std::string, Tried> tried;
+  std::size_t runs = 0;
   for (const CellResult& s : results) {
     const Cell& cell = s.cell->cell;
     there.insert(cell.perturbation);
@@ -211,6 +212,7 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
     Tally& tally = tallies[{family, cell.solver}][cell.formulation][cell.perturbation];
     for (const Outcome& outcome : s.outcomes) tally.solved += outcome.solved() ? 1 : 0;
     tally.runs += static_cast<int>(s.outcomes.size());
+    runs += s.outcomes.size();
   }
   Table rates{"perturbation-rates",
               {{"family"},
@@ -270,6 +272,7 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
   report::Chart map = perturbation_map(rates, perturbations);
   map.title = harmed.empty() ? "No perturbation harms an entry significantly"
                              : "Success rate under each perturbation";
+  page.set("perturbed-runs", runs);
   page.add(std::move(summaries));
   page.add(std::move(rates));
   page.add(std::move(map));

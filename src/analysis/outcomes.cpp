@@ -122,7 +122,7 @@ std::vector<Problem> chosen_problems(const std::vector<Problem>& all, const std:
   for (const Problem& problem : all) {
     if (!problem.best_known) continue;
     names.push_back(problem.name);
-    if (fits_any(problem.name, list)) chosen.push_back(problem);
+    if (is_chosen(problem, list)) chosen.push_back(problem);
   }
   require_fit(list, names, option, "`ricochet list problems`");
   return chosen;

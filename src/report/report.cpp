@@ -19,9 +19,6 @@
 #include "embedded/page_reproduction.h"
 #include "embedded/page_surrogate.h"
 #include "embedded/page_verification.h"
-#include "embedded/template_family.h"
-#include "embedded/template_problems.h"
-#include "embedded/template_stress.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
@@ -47,12 +44,9 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"advice", embedded::page_machine},
     {"dynamics", embedded::page_dynamics},
     {"surrogate", embedded::page_surrogate},
-    {"problems", embedded::template_problems},
-    {"family", embedded::template_family},
     {"calibration", embedded::page_calibration},
     {"verification", embedded::page_verification},
     {"impact-test", embedded::page_impact_test},
-    {"stress", embedded::template_stress},
     {"fireworks", embedded::page_fireworks},
 };
 

@@ -30,8 +30,8 @@ const check = (holds, what) => { if (!holds) wrong.push(what); };
 const ask = (...words) => JSON.parse(execFileSync(program, [...words, "--format", "json"], {encoding: "utf8"}));
 
 fs.rmSync(folder, {recursive: true, force: true});
-fs.mkdirSync(path.join(folder, "from/stress"), {recursive: true});
-fs.copyFileSync(path.join(reports, "stress/data.json"), path.join(folder, "from/stress/data.json"));
+fs.mkdirSync(path.join(folder, "from/verification"), {recursive: true});
+fs.copyFileSync(path.join(reports, "verification/data.json"), path.join(folder, "from/verification/data.json"));
 execFileSync(program, ["report", path.join(folder, "from"), "--out", path.join(folder, "drawn")]);
 const file = path.join(folder, "drawn/live/index.html"), address = pathToFileURL(file).href;
 const size = fs.statSync(file).size;

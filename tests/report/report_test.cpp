@@ -36,14 +36,14 @@ Json unfit(const char* report) {
 }
 
 TEST_F(Report, KeepsDataThatCannotBeDrawn) {
-  EXPECT_THROW(static_cast<void>(write_report(unfit("stress"), folder_)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(write_report(unfit("surrogate"), folder_)), std::logic_error);
   EXPECT_EQ(data_of("")["computed"], "for hours");
 }
 
 TEST_F(Report, KeepsTheDataOfAllPagesBeforeItDrawsTheFirst) {
-  Json data = unfit("problems");
+  Json data = unfit("comparison");
   for (const char* name : {"one", "two"})
-    data["pages"].push_back({{"folder", name}, {"data", unfit("family")}});
+    data["pages"].push_back({{"folder", name}, {"data", unfit("comparison_family")}});
   EXPECT_THROW(static_cast<void>(write_report(data, folder_)), std::logic_error);
   EXPECT_EQ(data_of("")["pages"], (Json{"one", "two"}));
   for (const char* name : {"one", "two"}) EXPECT_EQ(data_of(name)["computed"], "for hours");

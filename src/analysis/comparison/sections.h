@@ -66,6 +66,19 @@ std::string front_sentence(const Table& of_family);
 bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& results,
                        report::Results& page);
 
+/// Leaves out the results of hazardous problems, and the parts of the plan that have no other,
+/// unless there are no others: they have a section of their own, and no share in rankings.
+void set_pathological_apart(const Campaign& campaign, std::vector<CellResult>& results,
+                            std::vector<ReportedPart>& parts);
+
+/// Adds how runs on hazardous problems ended, with the largest budget and without perturbations:
+/// solved, spent (the budget), ended (before), threw, killed or crashed. Table "pathological": a
+/// row for each problem with the number of runs of each ending, and of those that evaluated a point
+/// that solves it (found); "pathological-solvers": a row for each solver; the value
+/// "pathological-runs": all of them in a sentence. Returns false if there are no such runs.
+bool add_pathological(const Campaign& campaign, const std::vector<CellResult>& results,
+                      report::Results& page);
+
 /// Adds how the user's solvers did beside the others: table "own-solvers", a row for each of them
 /// and each family with its largest budget: the success rate of its entry, with its interval, the
 /// number of other solvers that solve fewer and more of the problems that both take (if these are

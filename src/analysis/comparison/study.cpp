@@ -157,9 +157,11 @@ Json page_json(const char* kind, const Results& results) {
 
 Json compute(const Campaign& campaign, const Store& store) {
   Digest digest(store.description());
-  const std::vector<CellResult> results =
+  const std::vector<CellResult> all =
       cell_results(campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
-  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  std::vector<CellResult> results = all;
+  std::vector<ReportedPart> reported = reported_parts(campaign);
+  set_pathological_apart(campaign, results, reported);
   const std::vector<RatedPart> parts = rated_parts(campaign, results, reported);
   const std::vector<EntrySet> sets = entry_sets_of(campaign, results, reported);
   const Table speed_accuracy = speed_accuracy_table(campaign, sets);
@@ -217,7 +219,14 @@ Json compute(const Campaign& campaign, const Store& store) {
   const Results across = machines_page(parts);
   if (!across.parts.empty()) add("across-machines", "comparison_machines", across);
   Results failures;
-  if (add_perturbations(campaign, results, failures)) {
+  const bool perturbed = add_perturbations(campaign, results, failures);
+  if (add_pathological(campaign, all, failures) || perturbed) {
+    if (!perturbed) {
+      failures.add(Table{"perturbations"});
+      failures.add(Table{"outcomes"});
+      failures.set("perturbed-runs", Value());
+      failures.set("finding", *failures.value("pathological-runs"));
+    }
     add("robustness", "comparison_failures", failures);
   }
   add("solvers", "comparison_solvers",

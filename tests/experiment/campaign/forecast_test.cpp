@@ -143,5 +143,24 @@ TEST(Forecast, OutlivesAProblemThatThrows) {
   EXPECT_GT(forecast_of(campaign).runs, 0);
 }
 
+/// It does not evaluate the problem in this process, and expects that its runs hang.
+TEST(Forecast, OutlivesAProblemThatHangs) {
+  Catalogue catalogue = made_up_catalogue();
+  Problem& problem = catalogue.families[0].problems[0];
+  problem.hazardous = true;
+  problem.longest_run = 2;
+  problem.evaluate = [](const Vector&) -> Values { std::abort(); };
+  problem.true_values = [](const Vector&) { return TrueValues{}; };
+  const Campaign campaign(
+      plan_from("[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = \"chance-a\"\n"
+                "budgets = 5\ninstances = 3",
+                "test"),
+      catalogue);
+  const Forecast forecast = forecast_of(campaign);
+  EXPECT_GT(forecast.runs, 6);
+  EXPECT_LT(forecast.runs, 7);
+  EXPECT_FALSE(forecast.at_least);
+}
+
 }  // namespace
 }  // namespace ricochet

@@ -132,11 +132,11 @@ const lookAt = async (name) => {
   await page.close();
 };
 
-// Pages of solvers, of a comparison's families and of problems are drawn from one template each: the
+// Pages of documents and of a comparison are drawn from one template each: the
 // largest three stand for them. Links are followed on all.
 const bySize = [...pages].sort((a, b) => fs.statSync(path.join(folder, b)).size - fs.statSync(path.join(folder, a)).size);
 const alike = [];
-for (const kind of [/^docs\/[^/]+\/index\.html$/, /^comparison\/[^/]+\/index\.html$/, /^problems\/[^/]+\/index\.html$/]) {
+for (const kind of [/^docs\/[^/]+\/index\.html$/, /^comparison\/[^/]+\/index\.html$/]) {
   const ofKind = bySize.filter((name) => kind.test(name) && !alike.includes(name) && name !== "comparison/view/index.html");
   check(ofKind.length > 8, `only ${ofKind.length} pages like ${kind}`);
   alike.push(...ofKind.slice(3));

@@ -16,6 +16,7 @@
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/site/study.h"
+#include "src/report/table.h"
 
 namespace ricochet::cli {
 
@@ -88,6 +89,9 @@ inline void tell(const studies::Finished& finished) {
   std::fputs(finished.epilogue.c_str(), stdout);
   report::require_none(finished.failures);
 }
+
+/// Prints a table: as JSON, a list of objects, or for people, cut at the edge of a terminal.
+void print(const Table& table, bool json);
 
 /// Number of runs made at once.
 int cores();

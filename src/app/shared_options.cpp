@@ -1,6 +1,18 @@
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdint>
+
 #include "src/app/command_line.h"
 
 namespace ricochet::cli {
+
+void print(const Table& table, bool json) {
+  winsize size{};
+  const bool is_terminal = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  fmt::print("{}", json ? json_rows_of(table).dump(2) + "\n"
+                        : terminal_text_of(table, is_terminal ? size.ws_col : SIZE_MAX));
+}
 
 std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study) {
   auto options = std::make_shared<StudyOptions>(StudyOptions{false, "reports/" + study.name});

@@ -14,6 +14,14 @@ void print(const Table& table, bool json) {
                         : terminal_text_of(table, is_terminal ? size.ws_col : SIZE_MAX));
 }
 
+Table impact_table(std::span<const carrier_track::Impact> impacts) {
+  Table table{"impacts", {{"time", "time [s]", ".8f"}, {"wall"}, {"speed", "speed [m/s]", ".6g"}}};
+  for (const carrier_track::Impact& impact : impacts) {
+    table.add(impact.time, name_of(impact.wall), impact.speed);
+  }
+  return table;
+}
+
 std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study) {
   auto options = std::make_shared<StudyOptions>(StudyOptions{false, "reports/" + study.name});
   if (!study.quick.empty()) command->add_flag("--quick", options->quick, study.quick);

@@ -22,6 +22,9 @@ std::string number_text(double number, std::string format) {
   if (format.ends_with('%')) {
     scale = 100;
     format.back() = 'f';
+  } else if (format.ends_with('m')) {
+    scale = 1000;
+    format.pop_back();
   }
   const std::string spec = "{:" + (format.empty() ? ".4g" : format) + "}";
   const auto text = [&](double x) { return fmt::format(fmt::runtime(spec), x); };

@@ -56,8 +56,8 @@ Value value_of(const Maybe& maybe, const Get& get) {
   return maybe ? value_of(std::invoke(get, *maybe)) : Value();
 }
 
-/// A value as text: numbers by fmt's format, such as ".2f", or, with a last %, as per cent without
-/// the sign: ".0%" makes 12 of 0.123. Without a format numbers have up to four digits. Zero has no
+/// A value as text: numbers by fmt's format, such as ".2f"; with a last %, as per cent without the
+/// sign, ".0%" makes 12 of 0.123; with a last m, in thousandths, as mm of a length in m. Without a format numbers have up to four digits. Zero has no
 /// sign; true is "yes", or "✓" by the format "mark" (false: "✗"); a missing value is "". Throws
 /// std::logic_error for a format that does not fit.
 std::string text_of(const Value& value, std::string_view format = "");

@@ -36,6 +36,7 @@ std::vector<std::string> column(const Table& table, const std::string& name) {
 
 TEST(Table, WritesNumbersAsTheFormatSays) {
   EXPECT_EQ(text_of(value_of(0.1254), ".1%"), "12.5");
+  EXPECT_EQ(text_of(value_of(0.00125), ".3gm"), "1.25");
   EXPECT_EQ(text_of(value_of(-1e-9), ".2f"), "0.00");
   EXPECT_EQ(text_of(value_of(3), ".1f"), "3.0");
   EXPECT_EQ(text_of(value_of(3)), "3");

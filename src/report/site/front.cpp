@@ -104,7 +104,7 @@ Results site_results(const std::vector<FoundReport>& reports) {
               report.headline ? report.headline->finding : other_version, made.date,
               report.headline && !report.headline->command.empty() ? report.headline->command
                                                                    : report.kind.command,
-              made.version, made.compiler, made.reference ? value_of("of the reference") : Value());
+              made.version, made.compiler, made.reference ? "of the reference" : "");
     if (made.date) year = std::max(year, made.date->substr(0, 4));
   }
   ricochet::Table missing{"missing", {{"label"}, {"command"}, {"question"}}};

@@ -47,6 +47,23 @@ const tests = {
     const entries = [entry("Identify", "Steps", "the quiet threshold"), entry("Threshold", "Quiet", ""), entry("Threshold", "Loud", "")];
     assert.deepEqual(links(entries, "quiet threshold"), ["Threshold: Quiet", "Identify: Steps"]);
   },
+  "words of a question that ask for nothing are left out": () => {
+    const entries = [entry("a", "Noise", "a solver"), entry("b", "Is it how?", "")];
+    assert.deepEqual(links(entries, "Which solver should I use with noise?"), ["a: Noise"]);
+    assert.deepEqual(links(entries, "how"), ["b: Is it how?"]);
+  },
+  "a word is found in its other forms": () => {
+    const entries = [entry("a", "Noise", ""), entry("b", "A crash", ""), entry("c", "C1", "")];
+    assert.deepEqual(links(entries, "noisy"), ["a: Noise"]);
+    assert.deepEqual(links(entries, "crashes"), ["b: A crash"]);
+    assert.deepEqual(links(entries, "crashing"), ["b: A crash"]);
+  },
+  "where no entry has all words, those with most are shown, and it is said": () => {
+    const entries = [entry("a", "red green", ""), entry("b", "red", ""), entry("c", "blue", "")];
+    const {hits, told} = asked(entries, "red green blue");
+    assert.deepEqual(hits.map(({link}) => link), ["a: red green"]);
+    assert.equal(told, "1 found with 2 of the 3 words.");
+  },
   "signs that mean something to a pattern are found as they are": () => {
     const entries = [entry("a", "C++ (20)", "a.b [rad/s]")];
     for (const query of ["c++", "(20)", "a.b", "[rad/s]"]) assert.equal(links(entries, query).length, 1, query);

@@ -133,7 +133,7 @@ void add_gradient_cost_benchmarks() {
     std::set<Eigen::Index> sizes;
     for (const Problem& problem : family.problems) {
       const auto formulated = with_derivatives(problem);
-      if (!formulated || !sizes.insert(problem.dimension()).second) continue;
+      if (!formulated || problem.hazardous || !sizes.insert(problem.dimension()).second) continue;
       benchmark::RegisterBenchmark(
           ("gradient-cost/" + problem.name).c_str(),
           [formulated](benchmark::State& state) { cost(state, *formulated); })

@@ -138,6 +138,11 @@ struct Problem {
   double cost = 1;            ///< approximate number of simulations per evaluation
   /// Measured cost of a gradient beside the value [evaluations]; n if empty.
   std::optional<std::int64_t> gradient_cost = {};
+  /// An evaluation may throw, hang or end the process; true_values_at() does not. Patterns choose
+  /// such a problem only if they begin with its family's name.
+  bool hazardous = false;
+  /// A run is killed after this time [s] if its limit is not shorter; empty: by its limit only.
+  std::optional<double> longest_run = {};
   /// What varies from machine to machine, by name, e.g. "restitution".
   std::map<std::string, double> factors = {};
 
@@ -173,7 +178,7 @@ bool better(const TrueValues& a, const TrueValues& b);
 // @file
 // The families of problems.
 
-/// Problems of one kind. reports/templates/families.toml describes them.
+/// Problems of one kind. src/analysis/comparison/families.toml describes them.
 struct Family {
   std::string name;  ///< what the names of its problems begin with, e.g. "top-speed"
   std::vector<Problem> problems;

@@ -50,4 +50,8 @@ inline constexpr const char* published =
 /// Test functions, constrained test problems, and least squares.
 std::vector<Family> families();
 
+/// Bowls with a defect that occurs in practice: no number or no end in a part of the box, no
+/// feasible point, an exception, a crash. They show what solvers do then.
+Family pathological_family();
+
 }  // namespace ricochet::classic

@@ -1,11 +1,12 @@
-// The charts that scripts draw: axes, lines, steps, points, bars, rules, names, a legend, and what is told of the point under
-// the pointer. A chart is an SVG as large as its place on the page; its numbers are offered as a CSV file. Colours are
+// The charts that scripts draw: axes, lines, steps, points, rules, names, a legend, and what is told of the point under the
+// pointer. A chart is an SVG as large as its place on the page; its numbers are offered as a CSV file. Colours are
 // attributes, so that a saved picture has them: look.css replaces them in the dark, and a page by the class of a set.
 "use strict";
 
 const textSize = 12, font = "system-ui, sans-serif", quiet = "#444444", ink = "#222222";
-// After Okabe and Ito, as in all reports; the looks make them paler in the dark.
-const colours = ["#0072b2", "#d55e00", "#009e73", "#b0568a", "#7b3294", "#555555", "#2a7f9e", "#8a6d00"];
+// Of the first, second, ... line: as in the pictures of all reports, where a test looks at them with the eyes of dichromats.
+const colours = ["#0072b2", "#d55e00", "#00a56a", "#7b2475", "#dd6ba0", "#6b4f00", "#606060"], dashes = ["", "8 3", "2 3"];
+const lineLook = (place) => ({colour: colours[place % colours.length], dash: dashes[Math.floor(place / colours.length) % dashes.length]});
 const ruler = document.createElement("canvas").getContext("2d");
 ruler.font = `${textSize}px ${font}`;
 const widthOf = (text) => ruler.measureText(text).width;
@@ -55,8 +56,8 @@ const widest = (labels) => Math.max(0, ...labels.map(({text}) => widthOf(text)))
 
 // Draws grid, labels, frame and titles of the axes `x`, `y` around an area of pixels. An axis: {title, min, max, logarithmic}, and
 // perhaps `ticks`, their text by `write`, its own `unit` and a `second` unit {unit, factor}, whose scale is at the other side of y and below
-// x. `buttons`: pixels at the right that the title of x leaves free. Returns the scales {x, y}.
-const drawAxes = (group, {left, top, right, bottom}, {x, y, width, height, buttons = 0}) => {
+// x. Returns the scales {x, y}.
+const drawAxes = (group, {left, top, right, bottom}, {x, y, width, height}) => {
   const scales = {x: scaleOf(x, left, right), y: scaleOf(y, bottom, top)};
   const grid = addSvg(group, "path", {stroke: "#e4e4e4", fill: "none"}), middle = (top + bottom) / 2;
   const note = (at, level, text, anchor = "middle", more = {}) => addSvg(group, "text", {x: at, y: level, "text-anchor": anchor, fill: quiet, ...more}, text);
@@ -87,7 +88,7 @@ const drawAxes = (group, {left, top, right, bottom}, {x, y, width, height, butto
   });
   grid.setAttribute("d", lines);
   addSvg(group, "path", {d: `M${left},${top}V${bottom}H${right}${y.second ? `V${top}` : ""}`, stroke: "#888888", fill: "none"});
-  note(Math.min((left + right) / 2, width - buttons - widthOf(x.title) / 2), height - 6, x.title, "middle", {fill: "black"});
+  note(Math.min((left + right) / 2, width - widthOf(x.title) / 2), height - 6, x.title, "middle", {fill: "black"});
   note(12, middle, y.title, "middle", {transform: `rotate(-90 12 ${rounded(middle)})`, fill: "black"});
   if (y.second) note(width - 4, middle, y.second.unit, "middle", {transform: `rotate(-90 ${width - 4} ${rounded(middle)})`, fill: "black"});
   return scales;
@@ -101,7 +102,6 @@ const csvOf = (names, rows) => {
 const outlines = {
   circle: (x, y, r) => `M${x - r},${y}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0z`,
   square: (x, y, r) => `M${x - r},${y - r}h${2 * r}v${2 * r}h${-2 * r}z`,
-  diamond: (x, y, r) => `M${x - r},${y}L${x},${y - r}L${x + r},${y}L${x},${y + r}z`,
   triangle: (x, y, r) => `M${x},${y - r}L${x + r},${y + .8 * r}H${x - r}z`,
 };
 
@@ -115,67 +115,65 @@ const roomFor = (width, {x, y}, away, area, taken) =>
       !taken.some((t) => b.left < t.right && b.right > t.left && b.top < t.bottom && b.bottom > t.top));
 
 class Chart {
-  // `height` [px]: of the picture, unless its place on the page gives it one.
+  // `height` [px]: of the picture, with one row of a legend.
   constructor(svg, height) {
     const title = svg.querySelector("title") ?? addSvg(svg, "title", {id: `${svg.id || svg.parentElement.id}-title`});
-    Object.assign(this, {svg, title, fixed: height, tip: Object.assign(document.createElement("p"), {className: "tip", hidden: true})});
+    Object.assign(this, {svg, title, height, tip: Object.assign(document.createElement("p"), {className: "tip", hidden: true})});
     svg.setAttribute("role", "img");
     svg.setAttribute("aria-labelledby", title.id);
     svg.after(this.tip);
     svg.addEventListener("pointermove", (event) => this.tellNearest(event));
     svg.addEventListener("pointerleave", () => { this.tip.hidden = true; });
-    svg.addEventListener("click", (event) => { const mark = this.nearest(event); if (mark) this.shown.follow?.(mark.point); });
     new ResizeObserver(() => {
-      const {clientWidth, clientHeight} = svg;
-      if (this.shown && clientWidth && (clientWidth !== this.width || clientHeight !== this.height)) this.draw(this.shown);
+      if (this.shown && svg.clientWidth && svg.clientWidth !== this.width) this.draw(this.shown);
     }).observe(svg);
   }
 
-  // `title`: the chart in a sentence; `heading`: what stands above it. `x`, `y`, `buttons`: see drawAxes(). `sets`, from the lowest up:
-  // {data: [{x, y, name, short, colour, shape, className, bar}], colour, nameColour, shape, radius, faint, kind, line, dash, told, bars, className}.
-  // `line` is "steps" or "straight", and its tooltip `told`; `bars` draws the interval `bar` = {low, high, from, to} of each point; a legend shows
-  // the sets that have a `kind`. `rules`: vertical lines {x, label, row, colour, dash, className}, with labels in rows above the area.
-  // `below`, `above`: draw a page's own marks into the group that they get, by x() and y() of this chart. `tell`: lines on a
-  // point, of which the first names it; `follow`: a click on it. `numbers`: [names, rows] of the CSV file, in place of all points.
+  // `title`: the chart in a sentence; `heading`: what stands above it. `x`, `y`: see drawAxes(). `sets`, from the lowest up:
+  // {data: [{x, y, name, className}], colour, nameColour, shape, radius, kind, line, dash, told, className}. `line` is
+  // "steps" or "straight", and its tooltip `told`; a legend shows the sets that have a `kind`. `rules`: vertical lines
+  // {x, label, row, dash, className}, with labels in rows above the area. `below`, `above`: draw a page's own marks into the
+  // group that they get, by x() and y() of this chart. `tell`: lines on a point, of which the first names it. `numbers`:
+  // [names, rows] of the CSV file, in place of all points.
   draw(shown) {
-    const {svg, fixed} = this, {x, y, sets = [], rules = []} = shown;
-    Object.assign(this, {shown, marks: [], width: svg.clientWidth || 560, height: fixed ?? (svg.clientHeight || 250)});
-    const {width, height} = this, keys = document.createElementNS("http://www.w3.org/2000/svg", "g");
+    const {svg} = this, {x, y, sets = [], rules = []} = shown, width = svg.clientWidth || 560;
+    Object.assign(this, {shown, width});
+    const labelWidth = (factor) => widest(labelsOf(y, this.height - 50, 34, factor)), units = x.second ? [x, x.second].map(({unit}) => ({text: unit})) : [];
+    const left = Math.max((y.title ? 30 : 10) + labelWidth(1), 14 + widest(units)), right = width - (y.second ? 28 + labelWidth(y.second.factor) : 12);
+    const keys = document.createElementNS("http://www.w3.org/2000/svg", "g"), headed = shown.heading ? 20 : 0, legend = this.legend(keys, left, headed + 10);
+    const rows = Math.max(0, ...rules.filter(({label}) => label).map(({row = 0}) => row + 1)), height = this.height + Math.max(0, legend - 26);
+    const area = this.area = {left, top: headed + legend + 16 * rows, right, bottom: height - (x.second ? 53 : 38)};
     if (this.title.textContent !== shown.title) this.title.textContent = shown.title;
     svg.replaceChildren(this.title);
-    for (const [key, value] of Object.entries({viewBox: `0 0 ${width} ${height}`, "font-family": font, "font-size": textSize, ...(fixed && {height})})) svg.setAttribute(key, value);
+    for (const [key, value] of Object.entries({viewBox: `0 0 ${width} ${height}`, "font-family": font, "font-size": textSize, height})) svg.setAttribute(key, value);
     const group = addSvg(svg, "g");
     addSvg(group, "title", {}, "");  // the picture's title is no tooltip of its parts
     addSvg(group, "rect", {width, height, fill: "#ffffff"});
-    const labelWidth = (factor) => widest(labelsOf(y, height - 50, 34, factor)), units = x.second ? [x, x.second].map(({unit}) => ({text: unit})) : [];
-    const left = Math.max((y.title ? 30 : 10) + labelWidth(1), 14 + widest(units)), headed = shown.heading ? 20 : 0;
-    const rows = Math.max(0, ...rules.filter(({label}) => label).map(({row = 0}) => row + 1)), right = width - (y.second ? 28 + labelWidth(y.second.factor) : 12);
-    const area = this.area = {left, top: headed + this.legend(keys, left, headed + 10) + 16 * rows, right, bottom: height - (x.second ? 53 : 38)};
     if (headed) addSvg(group, "text", {x: left, y: 15, class: "chart-heading", "font-weight": 600, fill: "black"}, shown.heading);
-    Object.assign(this, drawAxes(group, area, {x, y, width, height, buttons: shown.buttons}));
+    Object.assign(this, drawAxes(group, area, {x, y, width, height}));
     group.append(keys);
     shown.below?.(addSvg(group, "g"));
     this.marks = sets.flatMap((set) => set.data.map((point) => ({x: this.x(point.x), y: this.y(point.y), point, set})));
     for (const set of sets) this.line(group, set);
-    for (const mark of this.marks.filter(({set}) => set.bars)) this.bar(group, mark);
     for (const mark of this.marks.filter(({set}) => set.radius)) this.point(group, mark);
     this.names(group, area);
     for (const rule of rules) this.rule(group, rule);
     shown.above?.(addSvg(group, "g"));
-    const file = svg.parentElement.querySelector(".chart-csv"), rowOf = ({point}) => [shown.tell?.(point)[0], point.x, point.y, point.bar?.low, point.bar?.high];
-    const numbers = () => shown.numbers ?? [["name", x.title, y.title, "lower", "upper"], this.marks.map(rowOf)];
-    if (file) file.textContent = JSON.stringify(csvOf(...numbers()));
+    const file = svg.parentElement.querySelector(".chart-csv");
+    if (file) file.textContent = JSON.stringify(csvOf(...shown.numbers ?? [["name", x.title, y.title], this.marks.map(({point}) => [shown.tell?.(point)[0], point.x, point.y])]));
   }
 
-  // Returns the height of the legend.
+  // Returns the height of the legend: 26 px of one row, and 15 px of each further one.
   legend(group, left, top) {
     let x = left, y = top;
     const named = (this.shown.sets ?? []).filter(({kind}) => kind);
-    for (const {kind, colour, shape, className} of named) {
-      if (x > left && x + widthOf(kind) + 12 > this.width) [x, y] = [left, y + 15];
-      addSvg(group, "path", {d: outlines[shape ?? "circle"](x + 4, y, 4), class: className, fill: colour});
-      addSvg(group, "text", {x: x + 12, y: y + 4, fill: "black"}, kind);
-      x += widthOf(kind) + 24;
+    for (const {kind, colour, shape, line, dash, className} of named) {
+      const wide = line ? 22 : 8;
+      if (x > left && x + wide + 4 + widthOf(kind) > this.width) [x, y] = [left, y + 15];
+      const d = line ? `M${rounded(x)},${y}h${wide}` : outlines[shape ?? "circle"](x + 4, y, 4);
+      addSvg(group, "path", {d, class: `key ${className ?? ""}`, ...(line ? {stroke: colour, fill: "none", "stroke-width": 2.4, "stroke-dasharray": dash || undefined} : {fill: colour})});
+      addSvg(group, "text", {x: x + wide + 4, y: y + 4, fill: "black"}, kind);
+      x += wide + 16 + widthOf(kind);
     }
     return named.length ? y - top + 26 : 8;
   }
@@ -184,42 +182,34 @@ class Chart {
     if (!set.line || set.data.length < 2) return;
     const ends = this.marks.filter((mark) => mark.set === set).map(({x, y}) => [rounded(x), rounded(y)]);
     const d = "M" + ends.map(([x, y], i) => i === 0 ? `${x},${y}` : set.line === "steps" ? `H${x}V${y}` : `L${x},${y}`).join("");
-    const path = addSvg(group, "path", {d, class: set.className, stroke: set.colour, fill: "none", "stroke-width": "1.7", "stroke-dasharray": set.dash || undefined});
+    const path = addSvg(group, "path", {d, class: `line ${set.className ?? ""}`, stroke: set.colour, fill: "none", "stroke-width": "1.7", "stroke-dasharray": set.dash || undefined});
     if (set.told) addSvg(path, "title", {}, set.told);
   }
 
   point(group, {x, y, point, set}) {
-    const d = outlines[point.shape ?? set.shape ?? "circle"](rounded(x), rounded(y), set.radius);
-    addSvg(group, "path", {d, class: point.className ?? set.className, fill: point.colour ?? set.colour, stroke: set.colour, "fill-opacity": set.faint ? ".6" : undefined});
+    const d = outlines[set.shape ?? "circle"](rounded(x), rounded(y), set.radius);
+    addSvg(group, "path", {d, class: point.className ?? set.className, fill: set.colour, stroke: set.colour});
   }
 
-  bar(group, {x, y, point: {bar}}) {
-    if (bar.low === null || bar.high === null) return;
-    let d = `M${rounded(x)},${rounded(this.y(bar.low))}V${rounded(this.y(bar.high))}`;
-    if (bar.from) d += `M${rounded(this.x(bar.from))},${rounded(y)}H${rounded(this.x(bar.to))}`;
-    addSvg(group, "path", {d, stroke: "#888888"});
-  }
-
-  rule(group, {x, label, row = 0, colour = ink, dash, className = ""}) {
+  rule(group, {x, label, row = 0, dash, className = ""}) {
     if (!(x >= this.shown.x.min && x <= this.shown.x.max)) return;
     const {left, top, right, bottom} = this.area, at = this.x(x), late = at > (left + right) / 2, level = this.shown.heading ? 34 + 16 * row : 14 + 16 * row;
-    addSvg(group, "path", {class: `rule ${className}`, d: `M${rounded(at)},${label ? level - 10 : top}V${bottom}`, stroke: colour, "stroke-width": "1.7", "stroke-dasharray": dash, fill: "none"});
+    addSvg(group, "path", {class: `rule ${className}`, d: `M${rounded(at)},${label ? level - 10 : top}V${bottom}`, stroke: ink, "stroke-width": "1.7", "stroke-dasharray": dash, fill: "none"});
     if (!label) return;
-    addSvg(group, "text", {class: `rule-label ${className}`, x: at + (late ? -5 : 5), y: level, "text-anchor": late ? "end" : "start", fill: colour, "font-weight": 600}, label);
+    addSvg(group, "text", {class: `rule-label ${className}`, x: at + (late ? -5 : 5), y: level, "text-anchor": late ? "end" : "start", fill: ink, "font-weight": 600}, label);
   }
 
-  // Names beside points where there is room; where the name has none, the short one may have.
+  // Names beside points where there is room.
   names(group, area) {
     const taken = this.marks.filter(({set}) => set.radius).map(({x, y}) => ({left: x - 3, top: y - 3, right: x + 3, bottom: y + 3}));
-    for (const mark of this.marks) {
-      const {point, set} = mark;
-      const [text, box] = [point.name, point.short].filter(Boolean).map((name) => [name, roomFor(widthOf(name), mark, Math.max(0, (set.radius ?? 0) - 5), area, taken)]).find(([, found]) => found) ?? [];
+    for (const mark of this.marks.filter(({point}) => point.name)) {
+      const {point: {name}, set} = mark, box = roomFor(widthOf(name), mark, Math.max(0, (set.radius ?? 0) - 5), area, taken);
       if (!box) continue;
       taken.push(box);
       const middle = (box.top + box.bottom) / 2;
       if (box.far) addSvg(group, "path", {d: `M${rounded(mark.x)},${rounded(mark.y)}L${rounded(box.left > mark.x ? box.left : box.right)},${rounded(middle)}`, stroke: "#888888", "stroke-width": ".6"});
       addSvg(group, "rect", {x: box.left - 1, y: box.top, width: box.right - box.left + 2, height: box.bottom - box.top, fill: "#ffffff", "fill-opacity": ".75"});
-      addSvg(group, "text", {x: box.left, y: middle + 4, fill: set.nameColour ?? set.colour}, text);
+      addSvg(group, "text", {x: box.left, y: middle + 4, fill: set.nameColour ?? set.colour}, name);
     }
   }
 
@@ -238,7 +228,6 @@ class Chart {
   tellNearest(event) {
     const mark = this.shown?.tell && this.nearest(event);
     this.tip.hidden = !mark;
-    this.svg.style.cursor = mark && this.shown.follow ? "pointer" : "";
     if (!mark) return;
     this.tip.textContent = this.shown.tell(mark.point).join("\n");
     this.tip.style.left = `${Math.max(0, Math.min(mark.x + 10, this.width - this.tip.offsetWidth))}px`;

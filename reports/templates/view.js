@@ -57,19 +57,34 @@ const fillForm = (contestants) => {
 
 // ---- what is shown ----
 
-const ecdfChart = new StepChart(byId("view-ecdf")), ratioChart = new StepChart(byId("view-ratios"));
+const [ecdf, ratios] = ["view-ecdf", "view-ratios"].map((id) => ({chart: new Chart(byId(id).querySelector("svg"), 330), caption: byId(id).querySelector("figcaption")}));
+
+// Draws step curves {name, look: a number, steps: [[x, share], ...]} from one end of a logarithmic axis to the other.
+const drawSteps = ({chart, caption}, {heading, x, from, to, curves, y, rules, told}) => {
+  const share = (one) => 100 * one, percentOf = ({steps}) => Math.round(share(steps.at(-1)?.[1] ?? 0));
+  const ends = curves.map((one) => `${one.name} ${percentOf(one)} %`).join(", ");
+  chart.draw({
+    heading, rules, title: `${heading}. At the right end: ${ends}.`,
+    x: {title: x, logarithmic: true, min: from, max: to}, y: {title: y, min: 0, max: 100},
+    sets: curves.map(({name, look, steps}) => ({kind: name, told: name, line: "steps", ...lineLook(look),
+      data: [[from, 0], ...steps, [to, steps.at(-1)?.[1] ?? 0]].map(([at, reached]) => ({x: at, y: share(reached), of: name}))})),
+    tell: ({of, x: at, y: reached}) => [of, `${short(reached)} % at ${short(at)}`],
+    numbers: [["entry", x, y], curves.flatMap(({name, steps}) => steps.map(([at, reached]) => [name, at, share(reached)]))],
+  });
+  caption.textContent = told;
+};
 
 const drawCharts = (drawn, reference, problems) => {
   const results = (one) => [...one.results.values()], target = levels[choice.target];
   const ends = drawn.flatMap((one) => results(one).map(({cell}) => Math.min(cell.entry.budget, Number(choice.most) || Infinity)));
   const curves = drawn.map((one, look) => ({name: one.name, look, steps: runtimes(results(one))}));
   const first = curves.flatMap(({steps}) => steps.length ? [steps[0][0]] : []), to = Math.max(...ends, 1);
-  ecdfChart.draw({title: `ECDF of runtimes: ${target}`, x: "evaluations for each variable", y: "runs [%]", from: Math.min(1, to / 2, ...first), to, series: curves,
-    caption: `Share of the runs that reach the target by then, mean over the problems that each entry takes, at most ${problems}.`});
-  ratioChart.draw({title: `ERT over that of ${reference.name}`, x: "ratio of expected running times", y: "problems [%]", from: 1 / 32, to: 32, rule: 1,
-    series: drawn.map((one, look) => ({name: one.name, look, steps: distribution(one.beside.ratios.map((ratio) => [Math.max(ratio, 1 / 64), 1])).filter(([ratio]) => ratio <= 32)}))
+  drawSteps(ecdf, {heading: `ECDF of runtimes: ${target}`, x: "evaluations for each variable", y: "runs [%]", from: Math.min(1, to / 2, ...first), to, curves,
+    told: `Share of the runs that reach the target by then, mean over the problems that each entry takes, at most ${problems}.`});
+  drawSteps(ratios, {heading: `ERT over that of ${reference.name}`, x: "ratio of expected running times", y: "problems [%]", from: 1 / 32, to: 32, rules: [{x: 1, dash: "5 3"}],
+    curves: drawn.map((one, look) => ({name: one.name, look, steps: distribution(one.beside.ratios.map((ratio) => [Math.max(ratio, 1 / 32), 1])).filter(([ratio]) => ratio <= 32)}))
       .filter((_, i) => drawn[i] !== reference),
-    caption: "Share of the problems that both take, and one of them solves, on which an entry's expected running time is at most so many times the reference's. What stands at the left end: the reference never solves these."});
+    told: "Share of the problems that both take, and one of them solves, on which an entry's expected running time is at most so many times the reference's. What stands at the left end: the reference never solves these, or needs more than 32 times as much."});
 };
 
 const shownEntries = (ordered, chosen) => {

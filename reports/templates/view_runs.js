@@ -35,6 +35,8 @@ class BitReader {
 const records = ({columns, rows}) => rows.map((row) => Object.fromEntries(row.map((value, i) => [columns[i].name, value])));
 const numbersIn = (text) => text === "" ? [] : text.split(" ").map(Number);
 
+const short = (x, digits = 3) => Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : "–";
+
 const levels = ["a third of the targets", "two thirds of the targets", "the problem solved"];
 const targetsAt = (level, targets) => Math.ceil(targets * (level + 1) / levels.length);
 

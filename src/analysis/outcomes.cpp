@@ -24,14 +24,11 @@ Reason::Reason(const std::string& text) {
   text_ = &*texts.insert(text).first;
 }
 
-double Outcome::optimality_gap(Criterion criterion) const {
-  const auto& gap =
-      criterion == Criterion::returned ? verdict.returned_optimality_gap : verdict.optimality_gap;
-  return gap.value_or(std::numeric_limits<double>::infinity());
+double Outcome::optimality_gap() const {
+  return verdict.returned_optimality_gap.value_or(std::numeric_limits<double>::infinity());
 }
 
-std::vector<Step> steps_of(const Outcome& outcome, Criterion criterion) {
-  if (criterion == Criterion::evaluated) return outcome.steps;
+std::vector<Step> steps_of(const Outcome& outcome) {
   const auto& gap = outcome.verdict.returned_optimality_gap;
   if (!gap) return {};
   std::vector<Step> steps;
@@ -51,8 +48,8 @@ std::int64_t evaluations_until_solved(const Outcome& outcome, Criterion criterio
   return outcome.verdict.evaluations_to_solve.value_or(outcome.evaluations);
 }
 
-double seconds_until_solved(const Outcome& outcome, Criterion criterion) {
-  if (!outcome.solved(criterion)) return outcome.seconds;
+double seconds_until_solved(const Outcome& outcome) {
+  if (!outcome.solved()) return outcome.seconds;
   return outcome.verdict.seconds_to_solve.value_or(outcome.seconds);
 }
 
@@ -107,12 +104,12 @@ void each_judged(const Store& store, const std::function<void(const JudgedRun&)>
   end_cell();
 }
 
-Reached reached_by(const Outcome& outcome, Criterion criterion) {
+Reached reached_by(const Outcome& outcome) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<Step> steps = steps_of(outcome, criterion);
+  const std::vector<Step> steps = steps_of(outcome);
   if (steps.empty()) return {infinity, infinity};
-  if (outcome.solved(criterion)) {
-    return {0, static_cast<double>(evaluations_until_solved(outcome, criterion))};
+  if (outcome.solved()) {
+    return {0, static_cast<double>(evaluations_until_solved(outcome))};
   }
   return {steps.back().optimality_gap, static_cast<double>(steps.back().evaluations)};
 }
@@ -125,7 +122,7 @@ std::vector<Problem> chosen_problems(const std::vector<Problem>& all, const std:
   for (const Problem& problem : all) {
     if (!problem.best_known) continue;
     names.push_back(problem.name);
-    if (fits_any(problem.name, list)) chosen.push_back(problem);
+    if (is_chosen(problem, list)) chosen.push_back(problem);
   }
   require_fit(list, names, option, "`ricochet list problems`");
   return chosen;

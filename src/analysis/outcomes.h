@@ -56,22 +56,22 @@ struct Outcome {
   bool solved(Criterion criterion = Criterion::returned) const {
     return criterion == Criterion::returned ? verdict.returned_solved : verdict.solved;
   }
-  /// The optimality gap of the point that is judged; infinite if there is no feasible one.
-  double optimality_gap(Criterion criterion = Criterion::returned) const;
+  /// The optimality gap of the returned point; infinite if it is not feasible.
+  double optimality_gap() const;
 };
 
-/// The improvements that led to the point that is judged. Of a returned point: those of the best
-/// evaluated one as far as the first that is as good as the returned one, whose optimality gap the
-/// last step has. A run that returned a feasible point without evaluating one as good has a step at
-/// its end. Empty if there is no feasible point.
-std::vector<Step> steps_of(const Outcome& outcome, Criterion criterion = Criterion::returned);
+/// The improvements that led to the returned point: those of the best evaluated one as far as the
+/// first that is as good as the returned one, whose optimality gap the last step has. A run that
+/// returned a feasible point without evaluating one as good has a step at its end. Empty if there
+/// is no feasible point.
+std::vector<Step> steps_of(const Outcome& outcome);
 
 /// Charged evaluations until a point that solves the problem was evaluated if the point that is
 /// judged solves it; otherwise all of the run.
 std::int64_t evaluations_until_solved(const Outcome& outcome,
                                       Criterion criterion = Criterion::returned);
-/// The same in seconds of processor time.
-double seconds_until_solved(const Outcome& outcome, Criterion criterion = Criterion::returned);
+/// The same in seconds of processor time, of the returned point.
+double seconds_until_solved(const Outcome& outcome);
 
 /// The outcome of a record. The problem's best value must be known.
 Outcome outcome_of(const RunRecord& record, double best_known, double tolerance);
@@ -138,10 +138,10 @@ struct JudgedCell {
 void each_judged(const Store& store, const std::function<void(const JudgedRun&)>& use,
                  const std::function<void(const JudgedCell&)>& at_end);
 
-/// What a run is ranked by: the optimality gap of the point that is judged, 0 for all that solve
+/// What a run is ranked by: the optimality gap of the returned point, 0 for all that solve
 /// the problem, as accuracy beyond the tolerance does not count; then the evaluations until a point
 /// as good was first evaluated. Infinite without a feasible point.
-Reached reached_by(const Outcome& outcome, Criterion criterion = Criterion::returned);
+Reached reached_by(const Outcome& outcome);
 
 // Patterns are shell patterns separated by commas: see names.h.
 

@@ -10,7 +10,7 @@
 
 #include "ricochet/random.h"
 #include "src/analysis/outcomes.h"
-#include "src/analysis/statistics/attainment.h"
+#include "src/analysis/statistics/profiles.h"
 #include "src/analysis/statistics/ranking.h"
 #include "src/core/instance.h"
 
@@ -35,12 +35,11 @@ std::vector<double> places(double budget) {
 
 /// Evaluations for each variable until each target of the problem was reached, over all runs;
 /// infinite if it never was.
-std::vector<double> hitting_times(const Problem& problem, const CellResult& result,
-                                  Criterion criterion) {
+std::vector<double> hitting_times(const Problem& problem, const CellResult& result) {
   std::vector<double> times;
   const auto n = static_cast<double>(problem.dimension());
   for (const Outcome& outcome : result.outcomes) {
-    const std::vector<Step> steps = steps_of(outcome, criterion);
+    const std::vector<Step> steps = steps_of(outcome);
     for (const double target : *result.targets) {
       const auto reached = std::find_if(steps.begin(), steps.end(),
                                         [&](const Step& s) { return s.optimality_gap <= target; });
@@ -69,8 +68,7 @@ std::map<Name, ByProblem> by_entry(const Comparison& comparison,
 }
 
 /// The entries' rankings on every instance of one problem.
-RivalsAhead on_problem(const std::vector<const ByProblem*>& entries, std::size_t problem,
-                       Criterion criterion) {
+RivalsAhead on_problem(const std::vector<const ByProblem*>& entries, std::size_t problem) {
   std::vector<const Outcomes*> outcomes;
   std::size_t instances = 0;
   for (const ByProblem* mine : entries) {
@@ -82,7 +80,7 @@ RivalsAhead on_problem(const std::vector<const ByProblem*>& entries, std::size_t
   for (std::size_t i = 0; i < instances; ++i) {
     std::vector<std::optional<Reached>> reached(entries.size());
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      if (outcomes[e] != nullptr) reached[e] = reached_by((*outcomes[e])[i], criterion);
+      if (outcomes[e] != nullptr) reached[e] = reached_by((*outcomes[e])[i]);
     }
     rankings.push_back(ranking_of(reached));
   }
@@ -94,7 +92,7 @@ bool is_ranked(const ByProblem& entry, const std::vector<std::size_t>& problems)
 }
 
 RankedEntries ranked(const std::map<Name, ByProblem>& entries,
-                     const std::vector<std::size_t>& problems, Criterion criterion) {
+                     const std::vector<std::size_t>& problems) {
   RankedEntries all;
   std::vector<const ByProblem*> results;
   for (const auto& [name, mine] : entries) {
@@ -103,7 +101,7 @@ RankedEntries ranked(const std::map<Name, ByProblem>& entries,
     results.push_back(&mine);
   }
   for (const std::size_t q : problems) {
-    RivalsAhead of_problem = on_problem(results, q, criterion);
+    RivalsAhead of_problem = on_problem(results, q);
     if (!of_problem.entries.empty()) all.problems.push_back(std::move(of_problem));
   }
   return all;
@@ -111,7 +109,7 @@ RankedEntries ranked(const std::map<Name, ByProblem>& entries,
 
 /// Everything but the ranks.
 Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comparison,
-                 std::size_t budget, Criterion criterion) {
+                 std::size_t budget) {
   Rating rating;
   rating.solver = name.first;
   rating.formulation = name.second;
@@ -119,14 +117,14 @@ Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comp
   std::vector<std::vector<double>> times;
   for (const auto& [q, result] : mine) {
     rating.surrogate = result->cell->formulation.smoothing > 0;
-    times.push_back(hitting_times(comparison.problem_of(*result), *result, criterion));
+    times.push_back(hitting_times(comparison.problem_of(*result), *result));
     int found = 0;
     int returned = 0;
     for (const Outcome& outcome : result->outcomes) {
       found += outcome.solved(Criterion::evaluated) ? 1 : 0;
       returned += outcome.solved(Criterion::returned) ? 1 : 0;
     }
-    rating.never += (criterion == Criterion::returned ? returned : found) == 0 ? 1 : 0;
+    rating.never += returned == 0 ? 1 : 0;
     const auto all = static_cast<double>(result->outcomes.size() * mine.size());
     rating.found += found / all;
     rating.returned += returned / all;
@@ -139,15 +137,14 @@ Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comp
 }
 
 /// Sets ranks and probabilities of the ratings that are ranked, which are in the order of `places`.
-void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::size_t budget,
-               Criterion criterion) {
+void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::size_t budget) {
   const std::size_t size = ratings.size();
   const auto means = mean_rivals_ahead(places.problems, size);
   for (std::size_t e = 0; e < size; ++e) {
     ratings[e]->rank = 1 + means[e].value_or(0) * (static_cast<double>(size) - 1);
   }
-  const bool solved = std::any_of(ratings.begin(), ratings.end(),
-                                  [&](const Rating* r) { return r->solved(criterion) > 0; });
+  const bool solved =
+      std::any_of(ratings.begin(), ratings.end(), [](const Rating* r) { return r->returned > 0; });
   if (!solved || places.problems.size() < 2) return;
   const auto probabilities = probabilities_of_being_first(
       places.problems, size, seed_of("rating", "", static_cast<int>(budget), 0));
@@ -159,16 +156,16 @@ void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::
 }  // namespace
 
 RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                             std::size_t budget, Criterion criterion) {
-  return ranked(by_entry(comparison, problems, budget), problems, criterion);
+                             std::size_t budget) {
+  return ranked(by_entry(comparison, problems, budget), problems);
 }
 
 std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                         std::size_t budget, Criterion criterion) {
+                         std::size_t budget) {
   const std::map<Name, ByProblem> entries = by_entry(comparison, problems, budget);
   std::vector<Rating> ratings;
   for (const auto& [name, mine] : entries) {
-    ratings.push_back(rating_of(name, mine, comparison, budget, criterion));
+    ratings.push_back(rating_of(name, mine, comparison, budget));
   }
   std::vector<Rating*> compared;
   std::size_t k = 0;
@@ -176,7 +173,7 @@ std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::si
     if (is_ranked(mine, problems)) compared.push_back(&ratings[k]);
     ++k;
   }
-  set_ranks(compared, ranked(entries, problems, criterion), budget, criterion);
+  set_ranks(compared, ranked(entries, problems), budget);
   const auto key = [](const Rating& r) {
     return std::tuple(r.rank.value_or(never), -r.problems, -r.returned);
   };
@@ -185,9 +182,9 @@ std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::si
   return ratings;
 }
 
-const Rating* leader_of(const std::vector<Rating>& ratings, Criterion criterion) {
+const Rating* leader_of(const std::vector<Rating>& ratings) {
   if (ratings.empty() || !ratings.front().rank) return nullptr;
-  return ratings.front().solved(criterion) > 0 ? &ratings.front() : nullptr;
+  return ratings.front().returned > 0 ? &ratings.front() : nullptr;
 }
 
 std::vector<std::size_t> stratified_sample(const std::vector<double>& values, std::size_t number,

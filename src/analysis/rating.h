@@ -28,20 +28,16 @@ struct Rating {
   std::string formulation;
   bool surrogate = false;  ///< it saw a surrogate: which evaluated point is best it could not know
   int problems = 0;        ///< number of problems that the solver takes in this formulation
-  int never = 0;           ///< number of these that no run solved, by the criterion
+  int never = 0;           ///< number of these that no run solved
   double found = 0;        ///< success rate by the best evaluated points, mean over the problems
   double returned = 0;     ///< the same by the returned points
-  std::vector<Reach> progress;  ///< the ECDF of runtimes, by the criterion
+  std::vector<Reach> progress;  ///< the ECDF of runtimes
   /// Mean rank among the ranked entries, over problems and instances; ties share theirs. A problem
   /// that only some of them take counts as if all did. Empty if the entry is not ranked.
   std::optional<double> rank;
   /// Probability of having the least mean rank on problems like these. Empty if the entry is not
   /// ranked, if there is only one problem, or if no entry solved a run.
   std::optional<double> probability_of_being_best;
-
-  double solved(Criterion criterion) const {
-    return criterion == Criterion::returned ? returned : found;
-  }
 };
 
 /// The name of an entry in tables and charts.
@@ -57,19 +53,18 @@ struct RankedEntries {
 };
 
 RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                             std::size_t budget, Criterion criterion = Criterion::returned);
+                             std::size_t budget);
 
 /// Rates all entries of the part with budget number `budget` on these problems (indices of the
 /// campaign's). The ranked ones first, by mean rank; then the others, by the number of problems
-/// that they take. On every instance the entries are ranked by the optimality gap of the point that
-/// is judged, all that solve being equal, and then by the evaluations it took.
+/// that they take. On every instance the entries are ranked by the optimality gap of the returned
+/// point, all that solve being equal, and then by the evaluations it took.
 std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                         std::size_t budget, Criterion criterion = Criterion::returned);
+                         std::size_t budget);
 
 /// The first of the ratings, or null if it is not ranked or solved none of its runs: who solved
 /// nothing is not the best.
-const Rating* leader_of(const std::vector<Rating>& ratings,
-                        Criterion criterion = Criterion::returned);
+const Rating* leader_of(const std::vector<Rating>& ratings);
 
 /// The entries of a family as they are ranked in a campaign's report, with the largest budget.
 struct RatedFamily {

@@ -18,8 +18,6 @@ namespace ricochet::comparison {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool same(const Outcome& a, const Outcome& b) {
   return a.evaluations == b.evaluations && a.optimality_gap() == b.optimality_gap() &&
          std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
@@ -88,12 +86,8 @@ Result result_of(const Outcomes& outcomes) {
     gaps.push_back(o->optimality_gap());
   }
   result.seconds_to_solve = expected_running_time(seconds);
-  result.gap.value = quantile(gaps, 0.5);
-  result.gap.interval = order_statistic_interval(gaps).value_or(Interval{-infinity, infinity});
-  for (const Outcome& outcome : outcomes) {
-    result.failed += outcome.failure.empty() ? 0 : 1;
-    for (const std::string& exit : outcome.terminations) ++result.terminations[exit];
-  }
+  result.gap = quantile(gaps, 0.5);
+  for (const Outcome& outcome : outcomes) result.failed += outcome.failure.empty() ? 0 : 1;
   return result;
 }
 

@@ -36,9 +36,8 @@ struct Result {
   /// nothing if no run solved it.
   std::optional<Estimate> running_time, returned_running_time;
   std::optional<double> seconds_to_solve;  ///< expected processor time, by the returned point
-  Estimate gap{};  ///< median optimality gap of the returned points; infinite: none is feasible
+  double gap = 0;  ///< median optimality gap of the returned points; infinite: none is feasible
   int failed = 0;  ///< runs that ended in an exception
-  std::map<std::string, int> terminations;  ///< number of starts by termination reason
 };
 
 /// For each run of a cell, whether it repeats an earlier one: as many evaluations, the same
@@ -84,6 +83,10 @@ struct Comparison {
 
   const Problem& problem_of(const CellResult& result) const {
     return campaign->problems()[result.cell->problem];
+  }
+
+  bool has_largest_budget(const CellResult& result) const {
+    return result.cell->cell.budget == part->budgets.back();
   }
 
   /// Indices into the campaign's problems, in order of first occurrence.

@@ -1,101 +1,80 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
+#include <vector>
 
-#include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
 #include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/export/formats.h"
 #include "src/analysis/rating.h"
 #include "src/app/campaign.h"
-#include "src/app/scene_choice.h"
-#include "src/core/names.h"
+#include "src/app/command_line.h"
 #include "src/core/progress.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
+
+namespace ricochet::studies::comparison {
+
+RICOCHET_FIELDS(Agreement, entries, solvers, correlation, lower, upper);
+RICOCHET_FIELDS(FamilyAgreement, family, problems, other_problems, agreement, leader, best, place,
+                other_leader);
+
+}  // namespace ricochet::studies::comparison
 
 namespace ricochet::cli {
 
 namespace {
 
-using comparison::entry;
 using report::Json;
-using studies::comparison::entry_changes;
-using studies::comparison::EntryChange;
-using studies::comparison::EntryChanges;
-using studies::comparison::FamilyAgreement;
+using namespace studies::comparison;
 
-std::string family_in_words(const FamilyAgreement& one) {
-  return fmt::format(
-      "{}: {} and {}; {}; the first of the one ({}{}) {} in the other, "
-      "whose first is {}\n",
-      one.family, one.problems, report::counted(one.other_problems, "problem"),
-      agreement_in_words(one.agreement), one.leader,
-      one.best ? fmt::format(", P(best) {:.2f}", *one.best) : "",
-      one.place ? fmt::format("has place {}", *one.place) : "is not ranked", one.other_leader);
+Table family_table(const std::vector<FamilyAgreement>& families) {
+  Table table{"families",
+              {{"family"},
+               {"problems"},
+               {"other_problems", "problems there"},
+               {"entries"},
+               {"correlation", "Kendall's tau", ".2f"},
+               {"lower", "95 % from", ".2f"},
+               {"upper", "to", ".2f"},
+               {"leader", "first"},
+               {"best", "P(best)", ".2f"},
+               {"place", "its place there"},
+               {"other_leader", "first there"}}};
+  for (const FamilyAgreement& one : families) {
+    table.add(
+        one.family, one.problems, one.other_problems, value_of(one.agreement, &Agreement::entries),
+        value_of(one.agreement, &Agreement::correlation),
+        value_of(one.agreement, &Agreement::lower), value_of(one.agreement, &Agreement::upper),
+        one.leader, one.best, one.place, one.other_leader);
+  }
+  return table;
 }
 
-Json json_of(const FamilyAgreement& one) {
-  return {{"family", one.family},
-          {"problems", one.problems},
-          {"other_problems", one.other_problems},
-          {"agreement", agreement_json(one.agreement)},
-          {"leader", one.leader},
-          {"best", report::as_json(one.best)},
-          {"place", report::as_json(one.place)},
-          {"other_leader", one.other_leader}};
-}
-
-std::string entry_in_words(const EntryChange& change) {
-  std::string name = entry(change.solver, change.formulation);
-  if (change.perturbation != "plain") name += "/" + change.perturbation;
-  if (change.gradient_price != "n") name += ", gradients at " + change.gradient_price;
-  if (change.version != change.other_version) {
-    name += fmt::format(" ({}, then {})", change.version, change.other_version);
+Table change_table(const std::vector<EntryChange>& entries) {
+  Table table{"entries",
+              {{"solver"},
+               {"formulation"},
+               {"perturbation"},
+               {"gradient_price", "gradients at"},
+               {"version"},
+               {"other_version", "version there"},
+               {"problems"},
+               {"cheaper", "fewer evaluations on"},
+               {"dearer", "more on"},
+               {"ratio", "times the evaluations", ".2f"},
+               {"p", "", ".2g"},
+               {"sure", "significant"}}};
+  for (const EntryChange& one : entries) {
+    table.add(one.solver, one.formulation, one.perturbation, one.gradient_price, one.version,
+              one.other_version, one.problems, one.cheaper, one.dearer, one.ratio, one.p_value,
+              one.sure());
   }
-  return one_line(fmt::format(
-             "{}: {} (p = {:.2g}); {:.2f} times the evaluations, fewer on {} and more on {} of {} "
-             "problems",
-             name, change.sure() ? "changed" : "not significant", change.p_value, change.ratio,
-             change.cheaper, change.dearer, change.problems)) +
-         "\n";
-}
-
-void print(const EntryChanges& changes) {
-  const auto same = std::ranges::count_if(changes.entries, &EntryChange::same);
-  for (const EntryChange& change : changes.entries) {
-    if (!change.same()) fmt::print("{}", entry_in_words(change));
-  }
-  if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
-  if (changes.entries.empty()) {
-    fmt::print("no entry has runs on the same instances with the same budget in both\n");
-  }
-  if (!changes.other_problems.empty()) {
-    fmt::print("left out, since their hashes differ: {}\n",
-               report::counted(changes.other_problems.size(), "problem"));
-  }
-}
-
-Json json_of(const EntryChange& change) {
-  return {{"solver", change.solver},
-          {"formulation", change.formulation},
-          {"perturbation", change.perturbation},
-          {"gradient_price", change.gradient_price},
-          {"version", change.version},
-          {"other_version", change.other_version},
-          {"problems", change.problems},
-          {"cheaper", change.cheaper},
-          {"dearer", change.dearer},
-          {"ratio", change.ratio},
-          {"p", change.p_value},
-          {"sure", change.sure()}};
+  return table;
 }
 
 /// The agreement by family; empty, with a warning, if a campaign cannot be made or is not complete.
@@ -103,31 +82,35 @@ std::vector<FamilyAgreement> agreements(const Store& first, const Store& second)
   try {
     const FinishedCampaign one = finished_campaign(first);
     const FinishedCampaign other = finished_campaign(second);
-    return studies::comparison::family_agreements(one.campaign, one.results, other.campaign,
-                                                  other.results);
+    return family_agreements(one.campaign, one.results, other.campaign, other.results);
   } catch (const InputError& error) {
     warn(fmt::format("the orders of the entries are not compared: {}", error.what()));
     return {};
   }
 }
 
+/// The entries that changed, and how many did not.
+void print_changes(const EntryChanges& changes) {
+  std::vector<EntryChange> changed = changes.entries;
+  const auto same = std::erase_if(changed, [](const EntryChange& one) { return one.same(); });
+  if (!changed.empty()) {
+    print(only(change_table(changed),
+                    {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
+                     "dearer", "problems", "p", "sure", "version", "other_version"}),
+               false);
+  }
+  if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
+  if (changes.entries.empty()) {
+    fmt::print("no entry has runs on the same instances with the same budget in both\n");
+  }
+  if (!changes.other_problems.empty()) {
+    fmt::print(
+        "left out, since their hashes differ: {}\n",
+        report::counted(static_cast<std::int64_t>(changes.other_problems.size()), "problem"));
+  }
+}
+
 }  // namespace
-
-std::string agreement_in_words(const std::optional<studies::comparison::Agreement>& agreement) {
-  if (!agreement) return "the orders cannot be compared";
-  return fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
-                     agreement->correlation, agreement->lower, agreement->upper,
-                     agreement->entries);
-}
-
-Json agreement_json(const std::optional<studies::comparison::Agreement>& agreement) {
-  if (!agreement) return nullptr;
-  return {{"entries", agreement->entries},
-          {"solvers", agreement->solvers},
-          {"correlation", agreement->correlation},
-          {"lower", agreement->lower},
-          {"upper", agreement->upper}};
-}
 
 int compare_stores(const std::string& first, const std::string& second, bool json) {
   const Store one = Store::open(archive_named(first), Store::For::reading);
@@ -140,90 +123,105 @@ int compare_stores(const std::string& first, const std::string& second, bool jso
     const auto json_of_store = [](const auto& has) {
       return has ? exports::json_of(*has) : Json();
     };
-    const Json data = {
-        {"stores", {json_of_store(one_has), json_of_store(other_has)}},
-        {"families", report::list_of(families, [](const auto& family) { return json_of(family); })},
-        {"entries", report::list_of(changes.entries,
-                                    [](const EntryChange& change) { return json_of(change); })},
-        {"other_problems", changes.other_problems}};
+    const Json data = {{"stores", {json_of_store(one_has), json_of_store(other_has)}},
+                       {"families", report::as_json(families)},
+                       {"entries", json_rows_of(change_table(changes.entries))},
+                       {"other_problems", changes.other_problems}};
     fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
   }
-  for (const FamilyAgreement& family : families) fmt::print("{}", family_in_words(family));
-  print(changes);
+  if (!families.empty()) print(family_table(families), false);
+  print_changes(changes);
   return 0;
 }
 
 namespace {
 
-using namespace carrier_track;
+struct SampleOptions {
+  std::string archive;
+  double share = 0.15;
+  bool json = false;
+};
 
-/// The SI unit of a constant, "1" for a number without unit.
-std::string unit_of(const std::string& constant) {
-  if (constant == "clearance") return "m";
-  std::string unit = "1";
-  Scene scene;
-  const auto visit = [&](const SceneField& field, const auto&... /*members*/) {
-    if (field.key == constant) unit = field.unit;
-  };
-  visit_scene_fields(visit, scene);
-  visit_count_fields(visit, scene);
-  return unit;
-}
+constexpr std::size_t least_problems = 3;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-/// The name of the unit that a text ends with; empty if it is a plain number.
-std::string unit_in(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc()) return "";
-  return std::string(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
-}
-
-std::optional<double> number_of(std::string_view text, const std::string& unit,
-                                const std::string& usual) {
-  if (const auto number = number_of_text<double>(text)) {
-    return usual.empty() ? number : quantity(fmt::format("{} {}", text, usual), unit);
+Table sample_table(const std::vector<SampledFamily>& families) {
+  Table table{"families",
+              {{"family"},
+               {"problems"},
+               {"of"},
+               {"correlation", "Kendall's tau", ".2f"},
+               {"lower", "95 % from", ".2f"},
+               {"upper", "to", ".2f"},
+               {"leader", "first of all"},
+               {"returned", "success rate [%]", ".0%"},
+               {"best", "P(best)", ".2f"},
+               {"sample_leader", "first on the sample"}}};
+  for (const SampledFamily& one : families) {
+    table.add(
+        one.family, one.problems.size(), one.of, value_of(one.agreement, &Agreement::correlation),
+        value_of(one.agreement, &Agreement::lower), value_of(one.agreement, &Agreement::upper),
+        one.leader, one.returned, one.best, one.sample_leader);
   }
-  return quantity(text, unit);
+  return table;
+}
+
+Json json_of(const SampledFamily& family) {
+  return {{"family", family.family},
+          {"of", family.of},
+          {"problems",
+           report::list_of(family.problems,
+                           [](const auto& one) {
+                             return Json{{"problem", one.first}, {"difficulty", one.second}};
+                           })},
+          {"agreement", report::as_json(family.agreement)},
+          {"leader", family.leader},
+          {"returned", report::as_json(family.returned)},
+          {"best", report::as_json(family.best)},
+          {"sample_leader", family.sample_leader}};
+}
+
+int sample_problems(const SampleOptions& options) {
+  const double share = options.share;
+  if (!(share > 0 && share <= 1)) {
+    throw InputError(fmt::format("--share {}: must be in (0, 1]", share));
+  }
+  const FinishedCampaign finished =
+      finished_campaign(Store::open(archive_named(options.archive), Store::For::reading));
+  const auto families =
+      sampled_families(finished.campaign, finished.results, share, least_problems);
+  if (options.json) {
+    fmt::print("{}\n",
+               report::list_of(families, [](const auto& one) { return json_of(one); }).dump(2));
+    return 0;
+  }
+  print(sample_table(families), false);
+  Table drawn{"problems", {{"family"}, {"problem"}, {"difficulty", "", ".2f"}}};
+  for (const SampledFamily& family : families) {
+    for (const auto& [problem, difficulty] : family.problems) {
+      drawn.add(family.family, problem, difficulty);
+    }
+  }
+  fmt::print("\n");
+  print(drawn, false);
+  return 0;
 }
 
 }  // namespace
 
-ConstantRange constant_range_of(const std::string& text) {
-  const std::string origin = one_line(fmt::format("--over {}", text));
-  const std::size_t equal = text.find('='), dots = text.find("..");
-  if (equal == std::string::npos || dots == std::string::npos || dots < equal) {
-    throw InputError(origin + ": must be CONSTANT=FROM..TO, as in restitution=0.05..0.95");
-  }
-  ConstantRange range{std::string(trimmed(std::string_view(text).substr(0, equal))), 0, 0, {}};
-  try {
-    constant_named(Scene{}, range.constant);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--over {}", one_line(error.what())));
-  }
-  const std::string unit = unit_of(range.constant);
-  const std::string_view all = text;
-  const std::string_view from = trimmed(all.substr(equal + 1, dots - equal - 1));
-  const std::string_view to = trimmed(all.substr(dots + 2));
-  const std::string name = unit_in(to);
-  const auto lower = number_of(from, unit, name), upper = number_of(to, unit, name);
-  if (!lower || !upper) {
-    throw InputError(fmt::format(
-        "{}: must be two numbers{}", origin,
-        unit == "1" ? ""
-                    : fmt::format(", with one of the units {}", fmt::join(units_for(unit), ", "))));
-  }
-  range.from = *lower;
-  range.to = *upper;
-  if (unit != "1") range.unit = {name.empty() ? unit : name, 1};
-  if (!name.empty()) range.unit.size = *quantity("1 " + name, unit);
-  return range;
+void add_sample(CommandLine& line, CLI::App* plan) {
+  CLI::App* sample =
+      line.add_part(plan, "sample",
+                    "Print a sample of an archive's problems, evenly over difficulty, and "
+                    "how far its ranking agrees with that of all");
+  const auto options = std::make_shared<SampleOptions>();
+  sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
+      ->type_name("ARCHIVE")
+      ->required();
+  sample->add_option("--share", options->share, "Of each family; at least three problems")
+      ->capture_default_str();
+  add_format(sample, options->json);
+  line.on_call(sample, [options] { return sample_problems(*options); });
 }
 
 }  // namespace ricochet::cli

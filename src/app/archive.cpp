@@ -12,11 +12,9 @@
 
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
-#include "src/analysis/comparison/order.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/other_program.h"
-#include "src/app/scene_choice.h"
 #include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
@@ -158,90 +156,6 @@ void add_submit(CommandLine& line) {
       ->type_name("FILE");
   add_verification(command, options->verification);
   line.on_call(command, [options] { return submit(*options); });
-}
-
-namespace {
-
-using report::Json;
-
-struct SampleOptions {
-  std::string archive;
-  double share = 0.15;
-  bool json = false;
-};
-
-constexpr std::size_t least_problems = 3;
-
-using studies::comparison::SampledFamily;
-
-/// A family in a line, and its problems in the next.
-std::string sample_in_words(const SampledFamily& family) {
-  std::vector<std::string> problems;
-  for (const auto& [problem, difficulty] : family.problems) {
-    problems.push_back(fmt::format("{} ({:.2f})", problem, difficulty));
-  }
-  std::string leader = family.leader;
-  if (family.returned) {
-    leader += fmt::format(" ({:.0f} % solved", 100 * *family.returned);
-    if (family.best) leader += fmt::format(", P(best) {:.2f}", *family.best);
-    leader += ")";
-  }
-  const std::string on_sample = family.leader == family.sample_leader
-                                    ? " on both"
-                                    : fmt::format(", on the sample {}", family.sample_leader);
-  return fmt::format("{}: {} of {} problems; {}; {} is first{}\n  {}\n", family.family,
-                     problems.size(), family.of, agreement_in_words(family.agreement), leader,
-                     on_sample, fmt::join(problems, ", "));
-}
-
-Json sample_json(const SampledFamily& family) {
-  return {{"family", family.family},
-          {"of", family.of},
-          {"problems",
-           report::list_of(family.problems,
-                           [](const auto& one) {
-                             return Json{{"problem", one.first}, {"difficulty", one.second}};
-                           })},
-          {"agreement", agreement_json(family.agreement)},
-          {"leader", family.leader},
-          {"returned", report::as_json(family.returned)},
-          {"best", report::as_json(family.best)},
-          {"sample_leader", family.sample_leader}};
-}
-
-int sample_problems(const SampleOptions& options) {
-  const double share = options.share;
-  if (!(share > 0 && share <= 1)) {
-    throw InputError(fmt::format("--share {}: must be in (0, 1]", share));
-  }
-  const FinishedCampaign finished =
-      finished_campaign(Store::open(archive_named(options.archive), Store::For::reading));
-  const auto families = studies::comparison::sampled_families(finished.campaign, finished.results,
-                                                              share, least_problems);
-  if (options.json) {
-    fmt::print("{}\n",
-               report::list_of(families, [](const auto& one) { return sample_json(one); }).dump(2));
-    return 0;
-  }
-  for (const SampledFamily& family : families) fmt::print("{}", sample_in_words(family));
-  return 0;
-}
-
-}  // namespace
-
-void add_sample(CommandLine& line, CLI::App* plan) {
-  CLI::App* sample =
-      line.add_part(plan, "sample",
-                    "Print a sample of an archive's problems, evenly over difficulty, and "
-                    "how far its ranking agrees with that of all");
-  const auto options = std::make_shared<SampleOptions>();
-  sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
-      ->type_name("ARCHIVE")
-      ->required();
-  sample->add_option("--share", options->share, "Of each family; at least three problems")
-      ->capture_default_str();
-  add_format(sample, options->json);
-  line.on_call(sample, [options] { return sample_problems(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -87,6 +87,10 @@ std::string archive_named(const std::string& name);
 Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
                           const Catalogue& catalogue, const std::string& out);
 
+/// Prints how far two stores or archives order their entries alike, by family, and which entries
+/// changed from the first to the second: see entry_changes().
+int compare_stores(const std::string& first, const std::string& second, bool json);
+
 /// How many runs from elsewhere are repeated before they are taken.
 struct Verification {
   int runs = 20;  ///< drawn at random among those that this build can repeat; 0: none

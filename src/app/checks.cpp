@@ -16,6 +16,7 @@
 #include "src/core/names.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/studies/impact_test/results.h"
 #include "src/studies/verification/verification.h"
 
@@ -32,18 +33,6 @@ struct VerifyOptions {
   bool json = false;
 };
 
-const char* name_of(Wall wall) {
-  return wall == Wall::upper ? "upper" : "lower";
-}
-
-Json json_of(const std::vector<Impact>& impacts) {
-  Json list = Json::array();
-  for (const Impact& i : impacts) {
-    list.push_back({{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}});
-  }
-  return list;
-}
-
 /// Prints a scene as TOML or JSON, with the impacts of the library and of the oracle.
 void show_hostile_scene(int seed, int index, bool json) {
   if (index < 0) throw InputError(fmt::format("--scene-index {}: must be >= 0", index));
@@ -58,8 +47,8 @@ void show_hostile_scene(int seed, int index, bool json) {
                         {"certain", recording.certainty.certain},
                         {"oracle_count", true_values.count},
                         {"oracle_finished", true_values.finished},
-                        {"impacts", json_of(recording.impacts)},
-                        {"oracle_impacts", json_of(true_values.impacts)}};
+                        {"impacts", json_rows_of(impact_table(recording.impacts))},
+                        {"oracle_impacts", json_rows_of(impact_table(true_values.impacts))}};
     fmt::print("{}\n", shown.dump(2));
     return;
   }
@@ -199,29 +188,19 @@ int impact_test(const ImpactTestOptions& options, const StudyOptions& study) {
     fmt::print("{}", finished.epilogue);
   }
   report::require_none(finished.failures);
-  return finished.data["ours"]["wrong"] == 0 ? 0 : 1;
+  return finished.data["values"]["lost"] == 0 ? 0 : 1;
 }
 
 int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {
-  Json rows = Json::array();
+  Table table{"tools",
+              {{"tool"}, {"title"}, {"kind"}, {"version"}, {"reason", "why it is missing"}}};
   for (const Tool& tool : chosen_tools(options)) {
-    const FoundTool found = found_tool(tool, drivers_of(study));
-    rows.push_back({{"tool", tool.name},
-                    {"title", tool.title},
-                    {"kind", tool.kind},
-                    {"version", found.program ? Json(found.program->version) : Json()},
-                    {"reason", found.program ? Json() : Json(found.reason)}});
+    const auto [program, reason] = found_tool(tool, drivers_of(study));
+    table.add(tool.name, tool.title, tool.kind,
+              value_of(program, [](const auto& p) { return p.version; }),
+              program ? Value() : Value(reason));
   }
-  if (options.json) {
-    fmt::print("{}\n", rows.dump(2));
-    return 0;
-  }
-  for (const Json& row : rows) {
-    const bool there = row["reason"].is_null();
-    fmt::print("{:<20} {:<60} {}\n", row["tool"].get<std::string>(),
-               row["title"].get<std::string>(),
-               there ? row["version"].get<std::string>() : row["reason"].get<std::string>());
-  }
+  print(options.json ? table : only(table, {"tool", "title", "version", "reason"}), options.json);
   return 0;
 }
 

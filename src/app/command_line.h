@@ -6,16 +6,19 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ricochet/error.h"
+#include "ricochet/machine.h"
 #include "src/core/names.h"
 #include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/site/study.h"
+#include "src/report/table.h"
 
 namespace ricochet::cli {
 
@@ -88,6 +91,16 @@ inline void tell(const studies::Finished& finished) {
   std::fputs(finished.epilogue.c_str(), stdout);
   report::require_none(finished.failures);
 }
+
+/// Prints a table: as JSON, a list of objects, or for people, cut at the edge of a terminal.
+void print(const Table& table, bool json);
+
+inline const char* name_of(carrier_track::Wall wall) {
+  return wall == carrier_track::Wall::upper ? "upper" : "lower";
+}
+
+/// A row for each impact.
+Table impact_table(std::span<const carrier_track::Impact> impacts);
 
 /// Number of runs made at once.
 int cores();

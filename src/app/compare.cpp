@@ -15,6 +15,7 @@ namespace {
 
 struct CompareOptions {
   studies::ComparisonOptions compared;
+  std::string family;               ///< whose problems are compared; empty: those of `compared`
   SceneChoice machine;              ///< whose problems are compared; empty: the suite's
   std::string against;              ///< an archive; empty: none
   std::vector<std::string> stores;  ///< two, or none
@@ -43,6 +44,10 @@ int compare_problems(const CompareOptions& options, const StudyOptions& study) {
   }
   const auto start = std::chrono::steady_clock::now();
   const Catalogue catalogue = studies::whole_catalogue();
+  if (!options.family.empty()) {
+    const auto name_of = [](const Family& family) { return family.name; };
+    compared.problems = named(catalogue.families, options.family, "family", name_of).name + "-*";
+  }
   const Plan plan = studies::comparison_plan(compared, study.quick, catalogue);
   return carry_out(plan, catalogue, study.quick, study.out, start);
 }
@@ -73,6 +78,7 @@ void add_compare(CommandLine& line) {
       "compare", "Compare solvers: success rates, costs and ranks, as a report",
       "  ricochet compare --quick\n"
       "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+      "  ricochet compare --family pathological --solvers 'nlopt-*'\n"
       "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
       "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'\n"
       "  ricochet compare --solver ./mine.so --against archive\n"
@@ -101,6 +107,9 @@ void add_compare(CommandLine& line) {
       ->add_option("--problems", options->compared.problems,
                    "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
       ->type_name("PROBLEMS");
+  command->add_option("--family", options->family, "Problems of this family")
+      ->type_name("FAMILY")
+      ->excludes("--scene", "--problems");
   command->add_option("--solvers", options->compared.solvers, "Patterns, separated by commas")
       ->type_name("SOLVERS")
       ->capture_default_str();
@@ -122,8 +131,9 @@ void add_compare(CommandLine& line) {
   command->add_option("--instances", options->compared.instances, "Instances of every problem")
       ->capture_default_str();
   add_limits(command, options->compared.limits);
-  for (const char* option : {"--scene", "--set", "--problems", "--solvers", "--formulations",
-                             "--smoothings", "--budget", "--instances", "--quick", "--stores"}) {
+  for (const char* option :
+       {"--scene", "--set", "--problems", "--family", "--solvers", "--formulations", "--smoothings",
+        "--budget", "--instances", "--quick", "--stores"}) {
     against->excludes(command->get_option(option));
   }
   line.on_call(command, [options, study] { return compare(*options, *study); });

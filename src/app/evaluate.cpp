@@ -106,6 +106,12 @@ Json description_of(const Problem& asked, const Formulation& formulation, const 
       {"upper", problem.upper},
       {"start", problem.start},
       {"best_known", problem.best_known},
+      {"best_point", problem.best_point ? Json(*problem.best_point) : Json()},
+      {"provenance", asked.provenance},
+      {"proven", asked.best_known && asked.not_excluded
+                     ? Json(asked.not_excluded(*asked.best_known).empty())
+                     : Json()},
+      {"penalty_weight", asked.constraints > 0 ? Json(asked.penalty_weight) : Json()},
       {"tolerance", asked.tolerance}};
 }
 

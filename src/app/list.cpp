@@ -1,11 +1,9 @@
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "src/app/command_line.h"
 #include "src/core/names.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/studies/paper/interpretation.h"
 #include "src/studies/suite/suite.h"
 
@@ -34,17 +33,19 @@ struct ListOptions {
   bool json = false;
 };
 
-Json cases() {
-  Json rows = Json::array();
+Table cases() {
+  Table table{"cases",
+              {{"case"},
+               {"restitution"},
+               {"friction"},
+               {"disturbance"},
+               {"paper_threshold"},
+               {"paper_quiet_count"}}};
   for (const Case& c : all_cases()) {
-    rows.push_back({{"case", c.id},
-                    {"restitution", c.restitution},
-                    {"friction", c.friction},
-                    {"disturbance", c.disturbance},
-                    {"paper_threshold", c.claim.threshold},
-                    {"paper_quiet_count", c.claim.quiet_count}});
+    table.add(c.id, c.restitution, c.friction, c.disturbance, c.claim.threshold,
+              c.claim.quiet_count);
   }
-  return rows;
+  return table;
 }
 
 /// Returns the selected families.
@@ -67,155 +68,110 @@ bool accepts_a_formulation(const Solver& solver, const Problem& problem) {
   });
 }
 
-Json problems(const ListOptions& options) {
-  Json rows = Json::array();
-  std::optional<Solver> solver;
-  if (!options.solver.empty()) solver = solver_named(options.solver, "--solver-accepts");
-  for (const Family& family : families_of(options)) {
-    for (const Problem& q : family.problems) {
-      if (solver && !accepts_a_formulation(*solver, q)) continue;
-      Json formulations = Json::array();
-      bool derivatives = false;
-      for (const Formulation& formulation : q.formulations()) {
-        formulations.push_back(q.name_of(formulation));
-        derivatives = derivatives || q.formulated(formulation).differentiate;
-      }
-      rows.push_back({{"problem", q.name},
-                      {"dimension", q.dimension()},
-                      {"constraints", q.constraints},
-                      {"equalities", q.equalities},
-                      {"formulations", formulations},
-                      {"derivatives", derivatives},
-                      {"best_known", q.best_known},
-                      {"source", q.source}});
-    }
+/// With the number of formulations.
+Table problem_table(const std::vector<Problem>& problems) {
+  Table table{"problems",
+              {{"problem"},
+               {"dimension", "n"},
+               {"constraints"},
+               {"equalities"},
+               {"formulations"},
+               {"derivatives"},
+               {"best_known", "best known", ".8g"},
+               {"source"}}};
+  for (const Problem& problem : problems) {
+    const std::vector<Formulation> formulations = problem.formulations();
+    const bool derivatives = std::ranges::any_of(formulations, [&](const Formulation& each) {
+      return static_cast<bool>(problem.formulated(each).differentiate);
+    });
+    table.add(problem.name, problem.dimension(), problem.constraints, problem.equalities,
+              formulations.size(), derivatives, problem.best_known, problem.source);
   }
-  return rows;
+  return table;
 }
 
-Json solvers() {
-  Json rows = Json::array();
-  const auto add = [&rows](const std::string& name, const Capabilities& capabilities,
-                           const Json& stochastic, const Json& at_limit,
-                           const std::string& version) {
-    rows.push_back({{"solver", name},
-                    {"variables", capabilities.variables_in_words()},
-                    {"constraints", capabilities.constraints_in_words()},
-                    {"needs", capabilities.needs_in_words()},
-                    {"stochastic", stochastic},
-                    {"at_limit", at_limit},
-                    {"version", version}});
+int list_problems(const ListOptions& options) {
+  std::optional<Solver> solver;
+  if (!options.solver.empty()) solver = solver_named(options.solver, "--solver-accepts");
+  std::vector<Problem> problems;
+  for (const Family& family : families_of(options)) {
+    std::ranges::copy_if(
+        family.problems, std::back_inserter(problems),
+        [&](const Problem& problem) { return !solver || accepts_a_formulation(*solver, problem); });
+  }
+  const Table table = problem_table(problems);
+  if (!options.json) {
+    print(only(table,
+               {"problem", "dimension", "constraints", "equalities", "formulations", "best_known"}),
+          false);
+    return 0;
+  }
+  Json rows = json_rows_of(table);
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    rows[i]["formulations"] = report::list_of(
+        problems[i].formulations(),
+        [&](const Formulation& formulation) { return problems[i].name_of(formulation); });
+  }
+  fmt::print("{}\n", rows.dump(2));
+  return 0;
+}
+
+Table solvers() {
+  Table table{"solvers",
+              {{"solver"},
+               {"variables"},
+               {"constraints"},
+               {"needs"},
+               {"stochastic"},
+               {"at_limit"},
+               {"version"}}};
+  const auto add = [&table](const std::string& name, const Capabilities& can,
+                            const std::optional<bool>& stochastic,
+                            const std::optional<std::string>& at_limit,
+                            const std::string& version) {
+    table.add(name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words(),
+              stochastic, at_limit, version);
   };
   for (const Solver& s : all_solvers()) {
     const bool own = s.at_limit == AtLimit::own_point;
     add(s.name, s.capabilities, s.stochastic, own ? "its own point" : "best evaluated", s.version);
   }
   for (const MissingSolver& missing : missing_solvers()) {
-    add(missing.solver, missing.capabilities, nullptr, nullptr,
+    add(missing.solver, missing.capabilities, {}, {},
         fmt::format("missing: built without {}", missing.library));
   }
-  return rows;
+  return table;
 }
 
-Json interpretations() {
-  Json rows = Json::array();
-  const auto add = [&rows](const Interpretation& r) {
-    rows.push_back({{"interpretation", name_of(r)},
-                    {"constants", unknowns_of(r).size()},
-                    {"default", r == default_interpretation().interpretation},
-                    {"description", description_of(r)}});
+Table interpretations() {
+  Table table{"interpretations",
+              {{"interpretation"}, {"constants", "n"}, {"default"}, {"description"}}};
+  const auto add = [&table](const Interpretation& r) {
+    table.add(name_of(r), unknowns_of(r).size(), r == default_interpretation().interpretation,
+              description_of(r));
   };
   for (const Interpretation& core : core_interpretations()) {
     add(core);
     for (const Interpretation& r : variations(core)) add(r);
   }
-  return rows;
-}
-
-/// A cell as text: strings without quotes, lists as their length, a dash for missing values.
-std::string cell(const Json& value) {
-  if (value.is_array()) return std::to_string(value.size());
-  if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_string()) return value.get<std::string>();
-  return value.is_null() ? "-" : value.dump();
-}
-
-/// A column: the key of its cells, and its heading.
-struct Column {
-  std::string key, title;
-};
-
-/// Omits the columns that would make rows too long.
-std::vector<Column> columns_of(const std::string& what, const Json& rows) {
-  if (what == "problems") {
-    return {{"problem", "problem"},           {"dimension", "n"},
-            {"constraints", "constraints"},   {"equalities", "equalities"},
-            {"formulations", "formulations"}, {"best_known", "best known"}};
-  }
-  std::vector<Column> columns;
-  for (const auto& [key, value] : rows.front().items()) {
-    columns.push_back({key, key == "constants" ? "n" : key});
-  }
-  return columns;
-}
-
-/// The columns of the terminal that standard output is; nothing if it is none, or does not say.
-std::optional<std::size_t> terminal_width() {
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
-  return size.ws_col;
-}
-
-/// Prints a line for each row, cut at the edge of the terminal; whole if there is none.
-void print_table(const Json& rows, const std::vector<Column>& columns) {
-  constexpr std::string_view cut = "...";
-  const std::optional<std::size_t> longest = terminal_width();
-  std::vector<std::size_t> widths;
-  for (const Column& column : columns) {
-    std::size_t width = column.title.size();
-    for (const Json& row : rows) width = std::max(width, cell(row[column.key]).size());
-    widths.push_back(width);
-  }
-  const auto print_line = [&](auto text) {
-    std::string line;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      line += fmt::format("{:<{}}  ", text(columns[i]), widths[i]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    if (longest && line.size() > *longest) {
-      line.resize(*longest - std::min(*longest, cut.size()));
-      line += cut;
-    }
-    fmt::print("{}\n", line);
-  };
-  print_line([](const Column& column) { return column.title; });
-  for (const Json& row : rows) {
-    print_line([&row](const Column& column) { return cell(row[column.key]); });
-  }
+  return table;
 }
 
 int list(const ListOptions& options) {
   const std::string& what = options.what;
   const bool asks = what == "problems";
-  for (const auto& [option, value] :
-       {std::pair("--scene", options.scene_file), std::pair("--family", options.family),
-        std::pair("--solver-accepts", options.solver)}) {
-    if (asks || value.empty()) continue;
+  for (const auto& [option, given] : {std::pair("--scene", !options.scene_file.empty()),
+                                      std::pair("--set", !options.settings.empty()),
+                                      std::pair("--family", !options.family.empty()),
+                                      std::pair("--solver-accepts", !options.solver.empty())}) {
+    if (asks || !given) continue;
     throw InputError(fmt::format("{}: has problems alone, not {}", option, what));
   }
-  if (!asks && !options.settings.empty()) {
-    throw InputError(fmt::format("--set: has problems alone, not {}", what));
-  }
-  const Json rows = what == "cases"     ? cases()
-                    : asks              ? problems(options)
-                    : what == "solvers" ? solvers()
-                                        : interpretations();
-  if (options.json) {
-    fmt::print("{}\n", rows.dump(2));
-    return 0;
-  }
-  print_table(rows, columns_of(what, rows));
+  if (asks) return list_problems(options);
+  print(what == "cases"     ? cases()
+        : what == "solvers" ? solvers()
+                            : interpretations(),
+        options.json);
   return 0;
 }
 

@@ -33,11 +33,8 @@ inline constexpr OtherCommand other_commands[] = {
      "The fireworks family compared with published results, as a report", "paper"},
     {"verify", "ricochet-studies", "Check the impact model against an oracle in extended precision",
      "suite"},
-    {"stress", "ricochet-studies", "Run every solver on pathological problems, as a report",
-     "suite"},
     {"impact-test", "ricochet-studies", "Measure how many impacts simulators lose, as a report",
      "suite"},
-    {"problems", "ricochet-studies", "Describe every problem, as a report", "suite"},
     {"best-values", "ricochet-studies", "Search the best known value of every problem", "suite"},
     {"bench", "ricochet-bench", "Measure speed; takes Google Benchmark's flags, too", "suite"},
 };

@@ -1,13 +1,18 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/regime_map.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
@@ -16,8 +21,10 @@
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
 #include "src/core/files.h"
+#include "src/core/names.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/machine/charts.h"
 #include "src/studies/machine/regime_tables.h"
@@ -40,6 +47,18 @@ struct RegimesOptions {
   carrier_track::BasinOptions sampled = {};
 };
 
+/// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",
+/// "clearance=0.5..2 mm".
+struct ConstantRange {
+  std::string constant;
+  double from, to;                    ///< in SI units
+  studies::advice::ShownUnit unit{};  ///< of the range's end
+};
+
+/// Throws InputError, which names --over, for a text that is no such range or has an unknown
+/// constant or unit.
+ConstantRange constant_range_of(const std::string& text);
+
 /// Prints the borders of a machine over a constant, and draws the map of its regimes. Returns the
 /// exit code.
 int regime_curves(const RegimesOptions& options);
@@ -49,7 +68,8 @@ int basins(const RegimesOptions& options);
 
 namespace {
 
-using carrier_track::RegimeEnd;
+using namespace carrier_track;
+using namespace studies::advice;
 
 int regimes(const RegimesOptions& options) {
   if (!options.over.empty()) return regime_curves(options);
@@ -73,21 +93,20 @@ int regimes(const RegimesOptions& options) {
     carrier_track::QuietSpeed drawn;
     drawn.options.fastest = options.range.to;
     drawn.regimes = found;
-    plot = report::plot_of({studies::advice::staircase_chart(
-        drawn, chosen.name + ": collisions a turn in the long run", {})});
+    plot = report::plot_of(
+        {staircase_chart(drawn, chosen.name + ": collisions a turn in the long run", {})});
   }
   if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
   if (options.json) {
-    fmt::print("{}\n", studies::advice::json_of(found).dump(2));
+    print(regime_table(found), true);
   } else {
     if (!found.empty()) {
-      fmt::print("{}: {}.\n{}", chosen.name, studies::advice::summary_of(found),
-                 studies::advice::text_of(found, std::nullopt));
+      fmt::print("{}: {}.\n", chosen.name, summary_of(found));
+      print(shown_regimes(found), false);
     }
     if (!complete) {
-      fmt::print("{}",
-                 studies::advice::text_of(sampled_in_time(chosen.scene, reached, options.range.to,
-                                                          seconds_to_sample(options.seconds))));
+      fmt::print("{}", text_of(sampled_in_time(chosen.scene, reached, options.range.to,
+                                               seconds_to_sample(options.seconds))));
     }
   }
   report::require_none(plot.failures);
@@ -158,9 +177,6 @@ void add_regimes(CommandLine& line) {
 
 namespace {
 
-using namespace carrier_track;
-using namespace studies::advice;
-
 /// "normal force" for normal_force.
 std::string words_for(std::string constant) {
   std::ranges::replace(constant, '_', ' ');
@@ -216,7 +232,7 @@ int regime_curves(const RegimesOptions& options) {
                       {range.constant, range.from, range.to, options.values, options.range});
   });
   std::deque<TextDraft> drafts;
-  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(map));
+  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(point_table(map)));
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, map, range.unit);
   if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
@@ -236,50 +252,24 @@ int regime_curves(const RegimesOptions& options) {
 
 namespace {
 
-std::string line_of(const Basin& basin, int starts) {
-  const Interval share = wilson_interval(basin.starts, starts);
-  const LongRun& motion = basin.motion;
-  const std::string turns = basin.turns == 0 ? "irregular" : fmt::format("{}", basin.turns);
-  return fmt::format(
-      "{:>7}{:>9.1f} %{:>9.1f} to {:>5.1f} %{:>12.4g}{:>11}{:>12.4g}{:>10.4g}{:>6.0f} %\n",
-      basin.starts, 100.0 * basin.starts / starts, 100 * share.lower, 100 * share.upper,
-      motion.collisions_per_turn, turns, 1e3 * motion.energy_per_turn, 1e3 * motion.fastest_impact,
-      100 * motion.share_at_rest);
-}
-
-void print(const std::string& name, double omega, const Basins& found,
-           const RegimesOptions& options) {
-  fmt::print(
-      "{} at {:.4g} rad/s: {} starts lead to {}.\n"
-      "Starts are uniform: up to {:.4g} mm above the lower wall, velocity up to {:.4g} mm/s either "
-      "way, any phase; seed {}.\n",
-      name, omega, found.starts, report::counted(found.basins.size(), "motion"), 1e3 * found.height,
-      1e3 * found.fastest, options.sampled.seed);
-  fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "starts", "share", "95 % interval",
-             "collisions", "period", "energy", "fastest", "rest");
-  fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "", "", "", "a turn", "turns",
-             "mJ a turn", "mm/s", "");
-  for (const Basin& basin : found.basins) fmt::print("{}", line_of(basin, found.starts));
-}
-
-report::Json json_of(const Basins& found, double omega, const RegimesOptions& options) {
-  return {{"omega", omega},
-          {"starts", found.starts},
-          {"seed", options.sampled.seed},
-          {"height", found.height},
-          {"fastest_start", found.fastest},
-          {"motions", report::list_of(found.basins, [&](const Basin& basin) {
-             const Interval share = wilson_interval(basin.starts, found.starts);
-             return report::Json{{"starts", basin.starts},
-                                 {"share", static_cast<double>(basin.starts) / found.starts},
-                                 {"share_lower", share.lower},
-                                 {"share_upper", share.upper},
-                                 {"collisions_per_turn", basin.motion.collisions_per_turn},
-                                 {"turns", basin.turns},
-                                 {"energy_per_turn", basin.motion.energy_per_turn},
-                                 {"fastest_impact", basin.motion.fastest_impact},
-                                 {"share_at_rest", basin.motion.share_at_rest}};
-           })}};
+Table basin_table(const Basins& found) {
+  Table table{"motions",
+              {{"starts"},
+               {"share", "share [%]", ".1%"},
+               {"share_lower", "95 % from [%]", ".1%"},
+               {"share_upper", "to [%]", ".1%"},
+               {"collisions_per_turn", "collisions a turn"},
+               {"turns", "period [turns; 0: none]"},
+               {"energy_per_turn", "energy a turn [mJ]", ".4gm"},
+               {"fastest_impact", "fastest impact [mm/s]", ".4gm"},
+               {"share_at_rest", "at rest [%]", ".0%"}}};
+  for (const auto& [motion, turns, starts] : found.basins) {
+    const Interval share = wilson_interval(starts, found.starts);
+    table.add(starts, static_cast<double>(starts) / found.starts, share.lower, share.upper,
+              motion.collisions_per_turn, turns, motion.energy_per_turn, motion.fastest_impact,
+              motion.share_at_rest);
+  }
+  return table;
 }
 
 }  // namespace
@@ -295,13 +285,94 @@ int basins(const RegimesOptions& options) {
   sampled.starts = *options.starts;
   const Basins found = limited(options.seconds, [&] { return basins_of(chosen.scene, sampled); });
   if (options.json) {
-    fmt::print("{}\n", json_of(found, chosen.scene.omega, options).dump(2));
+    const report::Json json = {
+        {"omega", chosen.scene.omega},    {"starts", found.starts},
+        {"seed", sampled.seed},           {"height", found.height},
+        {"fastest_start", found.fastest}, {"motions", json_rows_of(basin_table(found))}};
+    fmt::print("{}\n", json.dump(2));
   } else {
-    print(chosen.name, chosen.scene.omega, found, options);
+    fmt::print(
+        "{} at {:.4g} rad/s: {} starts lead to {}.\n"
+        "Starts are uniform: up to {:.4g} mm above the lower wall, velocity up to {:.4g} mm/s "
+        "either way, any phase; seed {}.\n",
+        chosen.name, chosen.scene.omega, found.starts,
+        report::counted(static_cast<std::int64_t>(found.basins.size()), "motion"),
+        1e3 * found.height, 1e3 * found.fastest, sampled.seed);
+    print(basin_table(found), false);
   }
   if (found.starts == *options.starts) return 0;
   return report_incomplete(
       options.seconds, fmt::format("{} of {} starts were sampled", found.starts, *options.starts));
+}
+
+namespace {
+
+/// The SI unit of a constant, "1" for a number without unit.
+std::string unit_of(const std::string& constant) {
+  if (constant == "clearance") return "m";
+  std::string unit = "1";
+  Scene scene;
+  const auto visit = [&](const SceneField& field, const auto&... /*members*/) {
+    if (field.key == constant) unit = field.unit;
+  };
+  visit_scene_fields(visit, scene);
+  visit_count_fields(visit, scene);
+  return unit;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// The name of the unit that a text ends with; empty if it is a plain number.
+std::string unit_in(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return "";
+  return std::string(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
+}
+
+std::optional<double> number_of(std::string_view text, const std::string& unit,
+                                const std::string& usual) {
+  if (const auto number = number_of_text<double>(text)) {
+    return usual.empty() ? number : quantity(fmt::format("{} {}", text, usual), unit);
+  }
+  return quantity(text, unit);
+}
+
+}  // namespace
+
+ConstantRange constant_range_of(const std::string& text) {
+  const std::string origin = one_line(fmt::format("--over {}", text));
+  const std::size_t equal = text.find('='), dots = text.find("..");
+  if (equal == std::string::npos || dots == std::string::npos || dots < equal) {
+    throw InputError(origin + ": must be CONSTANT=FROM..TO, as in restitution=0.05..0.95");
+  }
+  ConstantRange range{std::string(trimmed(std::string_view(text).substr(0, equal))), 0, 0, {}};
+  try {
+    constant_named(Scene{}, range.constant);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--over {}", one_line(error.what())));
+  }
+  const std::string unit = unit_of(range.constant);
+  const std::string_view all = text;
+  const std::string_view from = trimmed(all.substr(equal + 1, dots - equal - 1));
+  const std::string_view to = trimmed(all.substr(dots + 2));
+  const std::string name = unit_in(to);
+  const auto lower = number_of(from, unit, name), upper = number_of(to, unit, name);
+  if (!lower || !upper) {
+    throw InputError(fmt::format(
+        "{}: must be two numbers{}", origin,
+        unit == "1" ? ""
+                    : fmt::format(", with one of the units {}", fmt::join(units_for(unit), ", "))));
+  }
+  range.from = *lower;
+  range.to = *upper;
+  if (unit != "1") range.unit = {name.empty() ? unit : name, 1};
+  if (!name.empty()) range.unit.size = *quantity("1 " + name, unit);
+  return range;
 }
 
 }  // namespace ricochet::cli

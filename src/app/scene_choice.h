@@ -12,10 +12,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
-#include "src/analysis/comparison/order.h"
 #include "src/app/command_line.h"
-#include "src/report/json.h"
-#include "src/studies/machine/charts.h"
 
 namespace ricochet::cli {
 
@@ -63,26 +60,6 @@ void add_request(CLI::App* command, QuietSpeedRequest& asked);
 
 /// Throws InputError if a value is out of range, or if more than one limit is given.
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
-
-/// Prints how far two stores or archives order their entries alike, by family, and which entries
-/// changed from the first to the second: see entry_changes().
-int compare_stores(const std::string& first, const std::string& second, bool json);
-
-/// The agreement of two orders in words; nothing if they cannot be compared.
-std::string agreement_in_words(const std::optional<studies::comparison::Agreement>& agreement);
-report::Json agreement_json(const std::optional<studies::comparison::Agreement>& agreement);
-
-/// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",
-/// "clearance=0.5..2 mm".
-struct ConstantRange {
-  std::string constant;
-  double from, to;                    ///< in SI units
-  studies::advice::ShownUnit unit{};  ///< of the range's end
-};
-
-/// Throws InputError, which names --over, for a text that is no such range or has an unknown
-/// constant or unit.
-ConstantRange constant_range_of(const std::string& text);
 
 /// Adds --seconds, the time after which a command ends with what it knows.
 void add_seconds(CLI::App* command, double& seconds);

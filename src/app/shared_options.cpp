@@ -1,6 +1,26 @@
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdint>
+
 #include "src/app/command_line.h"
 
 namespace ricochet::cli {
+
+void print(const Table& table, bool json) {
+  winsize size{};
+  const bool is_terminal = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  fmt::print("{}", json ? json_rows_of(table).dump(2) + "\n"
+                        : terminal_text_of(table, is_terminal ? size.ws_col : SIZE_MAX));
+}
+
+Table impact_table(std::span<const carrier_track::Impact> impacts) {
+  Table table{"impacts", {{"time", "time [s]", ".8f"}, {"wall"}, {"speed", "speed [m/s]", ".6g"}}};
+  for (const carrier_track::Impact& impact : impacts) {
+    table.add(impact.time, name_of(impact.wall), impact.speed);
+  }
+  return table;
+}
 
 std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study) {
   auto options = std::make_shared<StudyOptions>(StudyOptions{false, "reports/" + study.name});

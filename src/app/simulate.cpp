@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/machine/charts.h"
 
@@ -40,10 +42,6 @@ struct SimulateOptions {
   std::string plot;     ///< SVG file for the path; empty: none
 };
 
-const char* name_of(Wall wall) {
-  return wall == Wall::lower ? "lower" : "upper";
-}
-
 Fidelity fidelity_named(const std::string& wanted) {
   for (const auto& [name, level] : fidelity_names()) {
     if (name == wanted) return level;
@@ -61,12 +59,14 @@ Json json_of(const std::optional<Graze>& graze) {
   return {{"time", graze->time}, {"wall", name_of(graze->wall)}, {"distance", graze->distance}};
 }
 
-Json json_of(const Impact& i) {
-  return {{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}};
+Table table_of(std::span<const Impact> impacts) {
+  return impact_table(impacts);
 }
 
-Json json_of(const Peak& p) {
-  return {{"time", p.time}, {"position", p.position}};
+Table table_of(std::span<const Peak> peaks) {
+  Table table{"peaks", {{"time", "time [s]", ".8f"}, {"position", "maximum [m]", ".6g"}}};
+  for (const Peak& peak : peaks) table.add(peak.time, peak.position);
+  return table;
 }
 
 /// Everything but the impacts and the maxima, whose lists are left empty.
@@ -90,17 +90,17 @@ Json frame_of(const Recording& recording) {
           {"fidelity", name_of(fidelity_names(), recording.fidelity)}};
 }
 
-/// Prints the elements of a list one by one: millions of them would not fit into memory as one
+/// Prints the elements of a list in batches: millions of them would not fit into memory as one
 /// tree.
 template <class Element>
-void print_elements(const std::vector<Element>& list) {
+void print_elements(std::span<const Element> list) {
+  constexpr std::size_t batch = 1000;
   const char* separator = "\n    ";
-  for (const Element& element : list) {
-    std::string text = json_of(element).dump(2);
-    for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
-      text.insert(at + 1, "    ");
+  for (std::size_t i = 0; i < list.size(); i += batch) {
+    for (const Json& row :
+         json_rows_of(table_of(list.subspan(i, std::min(batch, list.size() - i))))) {
+      fmt::print("{}{}", std::exchange(separator, ",\n    "), row.dump());
     }
-    fmt::print("{}{}", std::exchange(separator, ",\n    "), text);
   }
   if (!list.empty()) fmt::print("\n  ");
 }
@@ -110,18 +110,16 @@ void print_json(const Recording& recording) {
   const auto impacts = frame.find("\"impacts\": [") + 12;
   const auto peaks = frame.find("\"peaks\": [") + 10;
   fmt::print("{}", frame.substr(0, impacts));
-  print_elements(recording.impacts);
+  print_elements(std::span(recording.impacts));
   fmt::print("{}", frame.substr(impacts, peaks - impacts));
-  print_elements(recording.peaks);
+  print_elements(std::span(recording.peaks));
   fmt::print("{}\n", frame.substr(peaks));
 }
 
-std::string csv_of(const Recording& recording) {
-  std::string text = "time_s,position_m,velocity_m_per_s\n";
-  for (const Sample& s : recording.path) {
-    text += fmt::format("{},{},{}\n", s.time, s.position, s.velocity);
-  }
-  return text;
+Table path_table(const Recording& recording) {
+  Table table{"path", {{"time_s"}, {"position_m"}, {"velocity_m_per_s"}}};
+  for (const Sample& s : recording.path) table.add(s.time, s.position, s.velocity);
+  return table;
 }
 
 report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
@@ -139,38 +137,21 @@ report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
   return report::plot_of(charts);
 }
 
-/// Prints a line for each element, those that count first, up to a limit.
-template <class Element, class Print>
-void print_features(const std::vector<Element>& all, const std::vector<Feature>& features,
-                    const Print& print) {
-  constexpr std::size_t shown = 40;
-  std::size_t printed = 0;
-  for (const bool counts : {true, false}) {
-    for (std::size_t i = 0; i < all.size() && printed < shown; ++i) {
-      if (features[i].counts != counts) continue;
-      print(all[i], counts ? "  counts" : "");
-      ++printed;
-    }
-  }
-  if (all.size() <= shown) return;
-  fmt::print("... and {} more; --format json lists all\n", all.size() - shown);
-}
-
-/// Prints the impacts or the maxima, whichever the rule uses.
+/// Prints the impacts or the maxima, whichever the rule uses, up to a limit; those that count
+/// first.
 void print_features(const Scene& scene, const Recording& recording) {
+  constexpr std::size_t shown = 40;
   const std::vector<Feature> features = features_of(scene, recording);
-  if (scene.rule == CountRule::impacts) {
-    fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
-    print_features(recording.impacts, features, [](const Impact& impact, const char* mark) {
-      fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
-                 mark);
-    });
-  } else {
-    fmt::print("{:>14} {:>13}\n", "time [s]", "maximum [m]");
-    print_features(recording.peaks, features, [](const Peak& peak, const char* mark) {
-      fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark);
-    });
-  }
+  Table table = scene.rule == CountRule::impacts ? table_of(std::span(recording.impacts))
+                                                 : table_of(std::span(recording.peaks));
+  std::size_t next = 0;
+  table = sorted(with(table, {"counts", "", "mark"},
+                      [&](const Row&) { return value_of(features[next++].counts); }),
+                 {"-counts"});
+  const std::size_t all = table.rows.size();
+  table.rows.resize(std::min(all, shown));
+  cli::print(table, false);
+  if (all > shown) fmt::print("... and {} more; --format json lists all\n", all - shown);
 }
 
 /// What the start causes; nothing if that is not known, or there is no time for it.
@@ -243,7 +224,7 @@ int simulate(const SimulateOptions& options) {
     if (!options.json) anatomy = anatomy_in_time(chosen.scene, recording);
   });
   std::deque<TextDraft> drafts;
-  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
+  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(path_table(recording)));
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, recording);
   if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);

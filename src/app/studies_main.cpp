@@ -19,8 +19,6 @@
 #include "src/studies/dynamics/study.h"
 #include "src/studies/fireworks/study.h"
 #include "src/studies/paper/loss.h"
-#include "src/studies/problems/problems.h"
-#include "src/studies/stress/stress.h"
 #include "src/studies/suite/suite.h"
 #include "src/studies/surrogate/study.h"
 
@@ -28,34 +26,15 @@ namespace ricochet::cli {
 
 namespace {
 
-/// Adds a command that runs the study returned by `make` when it is called. Further options may be
-/// added.
-CLI::App* add_study(CommandLine& line, const std::string& command,
-                    const std::function<studies::Study()>& make, const std::string& examples) {
+/// Adds a command that runs the study returned by `make` when it is called.
+void add_study(CommandLine& line, const std::string& command,
+               const std::function<studies::Study()>& make, const std::string& examples) {
   CLI::App* added = line.add(command, summary_of(command), examples);
   const auto options = add_study_options(added, make());
   line.on_call(added, [make, options] {
     tell(studies::run(make(), options->quick, options->out));
     return 0;
   });
-  return added;
-}
-
-void add_problems(CommandLine& line) {
-  const auto machine = std::make_shared<SceneChoice>();
-  const auto families = [machine] {
-    return suite_families(machine->scene_file, machine->settings);
-  };
-  CLI::App* command = add_study(
-      line, "problems",
-      [machine, families] { return studies::problems_study(families, machine->scene_file); },
-      "  ricochet problems\n"
-      "  ricochet problems --scene machine.toml --out mine");
-  command
-      ->add_option("--scene", machine->scene_file,
-                   "A machine file (TOML) in place of the paper's cases; - is standard input")
-      ->type_name("FILE");
-  add_settings(command, machine->settings);
 }
 
 }  // namespace
@@ -72,10 +51,7 @@ int main(int argc, char** argv) {
   add_study(line, "surrogate", studies::surrogate_study, "  ricochet surrogate --quick");
   add_study(line, "fireworks", studies::fireworks_study, "  ricochet fireworks --quick");
   add_verify(line);
-  add_study(
-      line, "stress", [] { return studies::stress_study(all_solvers()); }, "  ricochet stress");
   add_impact_test(line);
-  add_problems(line);
   add_best_values(line);
   line.add_description();
   return line.run(argc, argv);

@@ -18,6 +18,7 @@
 #include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/machine/answer.h"
 #include "src/studies/machine/charts.h"
@@ -43,64 +44,76 @@ Json restitution_of(const Scene& scene) {
   return Json::array({scene.restitution_lower, scene.restitution_upper});
 }
 
-Json json_of(const ChosenScene& chosen, const Score& score) {
-  Json examples = Json::array();
+/// "5 at 9.5, 12 at 3": the counts at those speeds of the paper's examples that are wrong.
+std::string wrong_examples(const Score& score) {
+  std::string wrong;
   for (const Example& e : score.examples) {
-    examples.push_back({{"omega", e.omega},
-                        {"side", e.loud ? "loud" : "quiet"},
-                        {"count", e.count},
-                        {"right", e.right}});
+    if (!e.right) wrong += fmt::format("{}{} at {}", wrong.empty() ? "" : ", ", e.count, e.omega);
   }
-  return {{"case", chosen.name},
-          {"restitution", restitution_of(chosen.scene)},
-          {"friction", chosen.scene.friction},
-          {"disturbance", chosen.scene.disturbance},
-          {"paper_threshold", chosen.claim.threshold},
-          {"threshold", rounded(score.threshold)},
-          {"first_loud", rounded(score.first_loud)},
-          {"misclassified", score.misclassified},
-          {"purity", score.purity},
-          {"loudness", score.loudness},
-          {"paper_quiet_count", chosen.claim.quiet_count},
-          {"quiet_count", score.quiet_count},
-          {"interpretation", chosen.interpretation},
-          {"evaluations", score.evaluations},
-          {"seconds", score.seconds},
-          {"complete", true},
-          {"examples", examples}};
+  return wrong;
 }
 
-/// The row of a case for which there was no time.
-Json unknown_row(const ChosenScene& chosen) {
-  Json row = json_of(chosen, Score{});
-  for (const char* key : {"misclassified", "quiet_count", "evaluations", "seconds"}) row[key] = {};
-  row["complete"] = false;
-  return row;
+/// The scores of the first scenes; they are missing of those for which there was no time.
+Table score_table(const std::vector<ChosenScene>& scenes, const std::vector<Score>& scores) {
+  Table table{"thresholds",
+              {{"case", "scene"},
+               {"restitution"},
+               {"friction"},
+               {"disturbance"},
+               {"paper_threshold", "paper [rad/s]"},
+               {"threshold", "threshold [rad/s]", ".4f"},
+               {"first_loud", "first loud [rad/s]", ".3f"},
+               {"misclassified", "misclassified [%]", ".2%"},
+               {"purity", "", ".3f"},
+               {"loudness", "loud / quiet", ".2f"},
+               {"paper_quiet_count", "paper's count"},
+               {"quiet_count", "quiet count"},
+               {"interpretation"},
+               {"evaluations"},
+               {"seconds"},
+               {"complete"},
+               {"examples", "counts unlike the paper's"}}};
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto& [name, interpretation, scene, claim, source] = scenes[i];
+    const Score* score = i < scores.size() ? &scores[i] : nullptr;
+    table.add(name, scene.restitution_lower, scene.friction, scene.disturbance, claim.threshold,
+              value_of(score, [](const Score& s) { return rounded(s.threshold); }),
+              value_of(score, [](const Score& s) { return rounded(s.first_loud); }),
+              value_of(score, &Score::misclassified), value_of(score, &Score::purity),
+              value_of(score, &Score::loudness), claim.quiet_count,
+              value_of(score, &Score::quiet_count), interpretation,
+              value_of(score, &Score::evaluations), value_of(score, &Score::seconds),
+              score != nullptr, score != nullptr ? wrong_examples(*score) : "");
+  }
+  return table;
 }
 
-void print_header() {
-  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7} {:>6} {:>6}  {}\n", "scene",
-             "threshold", "paper", "error", "first loud", "quiet", "paper", "misclas", "purity",
-             "loud/q", "examples");
+Json json_of(const std::vector<ChosenScene>& scenes, const std::vector<Score>& scores) {
+  Json rows = json_rows_of(score_table(scenes, scores));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i]["restitution"] = restitution_of(scenes[i].scene);
+    rows[i]["examples"] = report::list_of(
+        i < scores.size() ? scores[i].examples : std::vector<Example>(), [](const Example& e) {
+          return Json{{"omega", e.omega},
+                      {"side", e.loud ? "loud" : "quiet"},
+                      {"count", e.count},
+                      {"right", e.right}};
+        });
+  }
+  return rows;
 }
 
-void print_row(const ChosenScene& chosen, const Score& score) {
-  std::string error = "-";
-  if (chosen.claim.threshold && score.threshold) {
-    error = fmt::format("{:+.1f} %", 100 * (*score.threshold / *chosen.claim.threshold - 1));
-  }
-  std::string examples;
-  for (const Example& e : score.examples) {
-    examples += fmt::format("{}{} at {}: {}", examples.empty() ? "" : ", ", e.omega, e.count,
-                            e.right ? "right" : "WRONG");
-  }
-  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7.4f} {:>6} {:>6}  {}\n", chosen.name,
-             report::text_or_dash(score.threshold, "{:.4f}"),
-             report::text_or_dash(chosen.claim.threshold, "{}"), error,
-             report::text_or_dash(score.first_loud, "{:.3f}"), score.quiet_count,
-             report::text_or_dash(chosen.claim.quiet_count, "{}"), score.misclassified,
-             report::text_or_dash(score.purity, "{:.3f}"),
-             report::text_or_dash(score.loudness, "{:.2f}"), examples);
+/// With the error of the threshold.
+void print(const std::vector<ChosenScene>& scenes, const std::vector<Score>& scores) {
+  const auto error = [](const Row& row) -> Value {
+    const auto found = row.number_if("threshold"), claimed = row.number_if("paper_threshold");
+    return found && claimed ? Value(*found / *claimed - 1) : Value();
+  };
+  const Table known = where(score_table(scenes, scores), "complete", true);
+  cli::print(only(with(known, {"error", "error [%]", "+.1%"}, error),
+                  {"case", "threshold", "paper_threshold", "error", "first_loud", "quiet_count",
+                   "paper_quiet_count", "misclassified", "purity", "loudness", "examples"}),
+             false);
 }
 
 /// Prints the result of the paper's rule for a case.
@@ -144,17 +157,11 @@ std::vector<Score> scores_of(const std::vector<ChosenScene>& scenes, const ScanO
 int threshold_of_all(const ScanOptions& scan, bool json, double seconds) {
   const std::vector<ChosenScene> scenes = every_case();
   const std::vector<Score> scores = limited(seconds, [&] { return scores_of(scenes, scan); });
-  Json rows = Json::array();
-  if (!json) print_header();
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const bool known = i < scores.size();
-    if (json) {
-      rows.push_back(known ? json_of(scenes[i], scores[i]) : unknown_row(scenes[i]));
-    } else if (known) {
-      print_row(scenes[i], scores[i]);
-    }
+  if (json) {
+    fmt::print("{}\n", json_of(scenes, scores).dump(2));
+  } else {
+    print(scenes, scores);
   }
-  if (json) fmt::print("{}\n", rows.dump(2));
   if (scores.size() == scenes.size()) return 0;
   return report_incomplete(seconds,
                            fmt::format("{} of {} cases are known", scores.size(), scenes.size()));
@@ -238,7 +245,7 @@ int threshold(const ThresholdOptions& options) {
   if (!options.plot.empty()) plot = plot_of(chosen, output.answer);
   if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
   if (options.json) {
-    Json json = json_of(chosen, score);
+    Json json = json_of(std::vector{chosen}, {score})[0];
     json.update(studies::advice::json_of(output));
     fmt::print("{}\n", json.dump(2));
   } else {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <string>
+
+#include "src/core/names.h"
 
 namespace ricochet {
 
@@ -176,6 +179,13 @@ Placement placement_of(const Problem& problem, int number, Random& random) {
 
 }  // namespace
 
+bool is_chosen(const Problem& problem, const std::vector<std::string>& patterns) {
+  const std::string family = problem.name.substr(0, problem.name.find('-'));
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
+    return fits(problem.name, pattern) && (!problem.hazardous || pattern.starts_with(family));
+  });
+}
+
 Vector uniform_point(const Problem& problem, Random& random) {
   return uniform_point(problem.lower, problem.upper, random);
 }
@@ -184,13 +194,6 @@ Vector stated_point(const Problem& problem, int number, const Vector& x) {
   if (number == 0) return x;
   Random random(seed_of(problem.name, "instance", number, 0));
   return stated(problem, placement_of(problem, number, random).frame, x);
-}
-
-Eigen::Index coordinates_at_ends(const Problem& problem) {
-  if (problem.rotates || problem.mirrors || !problem.best_point) return 0;
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < problem.dimension(); ++i) count += is_at_end(problem, i) ? 1 : 0;
-  return count;
 }
 
 Problem instance(const Problem& problem, int number) {

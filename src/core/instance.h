@@ -34,9 +34,8 @@ Problem instance(const Problem& problem, int number);
 /// unless the problem rotates.
 Vector stated_point(const Problem& problem, int number, const Vector& x);
 
-/// The number of coordinates of the best point that are at an end of the box, to a millionth of its
-/// width, in every instance. 0 if no best point is known.
-Eigen::Index coordinates_at_ends(const Problem& problem);
+/// Whether one of the shell patterns chooses the problem: see Problem::hazardous.
+bool is_chosen(const Problem& problem, const std::vector<std::string>& patterns);
 
 /// A point uniform in the problem's box.
 Vector uniform_point(const Problem& problem, Random& random);

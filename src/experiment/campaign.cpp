@@ -118,7 +118,7 @@ std::optional<std::int64_t> gradient_price_of(const std::string& price, const Pr
 
 bool asks_for(const PlanPart& part, const Problem& problem) {
   const std::int64_t n = problem.dimension();
-  return fits_any(problem.name, part.problems) && n >= part.least_variables &&
+  return is_chosen(problem, part.problems) && n >= part.least_variables &&
          n <= part.most_variables &&
          (!part.constrained || *part.constrained == (problem.constraints > 0));
 }

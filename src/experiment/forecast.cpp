@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -161,17 +162,19 @@ std::vector<double> times_of_problems(const Campaign& campaign) {
   std::vector<double> times;
   Progress progress("timing problems", static_cast<double>(campaign.problems().size()));
   for (const Problem& problem : campaign.problems()) {
-    times.push_back(seconds_of(problem));
+    times.push_back(problem.hazardous ? 0 : seconds_of(problem));
     progress.advance(1);
   }
   return times;
 }
 
-/// The cell with the shortest run of every solver.
+/// The cell with the shortest run of every solver; of a hazardous problem only if there is no
+/// other.
 std::vector<const PlannedCell*> shortest_cells(const Campaign& campaign,
                                                const std::vector<double>& of_problem) {
   std::vector<const PlannedCell*> shortest(campaign.solvers().size());
   const auto length = [&](const PlannedCell& cell) {
+    if (campaign.problems()[cell.problem].hazardous) return std::numeric_limits<double>::max();
     return static_cast<double>(std::min(cell.budget.evaluations, most_timed)) *
            seconds_of(cell, of_problem);
   };
@@ -233,8 +236,10 @@ Forecast forecast_of(const Campaign& campaign) {
     const auto evaluations = static_cast<double>(cell.budget.evaluations);
     const double runs = static_cast<double>(cell.instances) * cell.seeds;
     runs_of_solver[cell.solver] += runs;
-    forecast.runs += runs * (of_a_run + evaluations * (seconds_of(cell, of_problem) +
-                                                       of_solver[cell.solver].evaluation));
+    const double hang = campaign.problems()[cell.problem].longest_run.value_or(0);  // as most do
+    forecast.runs +=
+        runs * (of_a_run + hang +
+                evaluations * (seconds_of(cell, of_problem) + of_solver[cell.solver].evaluation));
   }
   // A process is replaced every second: see old_age in worker.cpp.
   const double processes = 1 + forecast.runs;

@@ -105,9 +105,13 @@ void Worker::begin(std::size_t job) {
   record_.reset();
   deadline_ = std::chrono::steady_clock::now() +
               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                  std::chrono::duration<double>(std::min(limits_.seconds, 1e9)));
+                  std::chrono::duration<double>(std::min(seconds(), 1e9)));
   // If it fails, listen() reports it.
   process_->tell({reinterpret_cast<const char*>(&job), sizeof job});
+}
+
+double Worker::seconds() const {
+  return std::min(limits_.seconds, jobs_[job_].problem->longest_run.value_or(limits_.seconds));
 }
 
 std::chrono::steady_clock::duration Worker::age() const {
@@ -140,7 +144,7 @@ std::string Worker::kill_and_wait() {
   const int status = process_->end();
   process_.reset();
   killed_from_outside_ = !late && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-  return late ? fmt::format("killed: it took more than {} s{}{}", limits_.seconds,
+  return late ? fmt::format("killed: it took more than {} s{}{}", seconds(),
                             waiting_.empty() ? "" : "; ", waiting_)
               : ending_in_words(status);
 }

@@ -74,6 +74,7 @@ class Worker {
   std::chrono::steady_clock::duration age() const;
 
  private:
+  double seconds() const;  ///< time limit of the run
   std::string kill_and_wait();
 
   const std::vector<Job>& jobs_;

@@ -9,13 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
+#include "embedded/charts_script.h"
 #include "embedded/choose_script.h"
 #include "embedded/look.h"
 #include "embedded/sheet_template.h"
-#include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_form.h"
 #include "embedded/view_look.h"
@@ -52,10 +51,13 @@ void load(pugi::xml_document& tree, const std::string& markdown) {
     throw std::runtime_error("a page is no Markdown");
 }
 
-std::string text_of(const pugi::xml_node& node) {
+enum class Tables { taken, left_out };
+
+std::string text_of(const pugi::xml_node& node, Tables tables = Tables::taken) {
+  if (tables == Tables::left_out && std::string_view(node.name()) == "table") return "";
   std::string text;
   for (const pugi::xml_node& child : node.children())
-    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child);
+    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
   return text;
 }
 
@@ -181,8 +183,7 @@ class Refiner {
         continue;
       }
       refine(child);
-      if (is(child, "a")) lead(child, "href");
-      if (is(child, "img")) lead(child, "src");
+      if (is(child, "a") || is(child, "img")) lead(child);
       if (is(child, "pre")) put_attribute(child, "tabindex", "0");
       if (is(child, "table")) arrange(child);
     }
@@ -239,13 +240,17 @@ class Refiner {
     }
   }
 
-  void lead(pugi::xml_node link, const char* attribute) const {
+  void lead(pugi::xml_node link) const {
+    const char* const attribute = is(link, "img") ? "src" : "href";
     const std::string to = options_.target(link.attribute(attribute).value());
+    if (!to.empty()) {
+      link.attribute(attribute) = to.c_str();
+      return;
+    }
     const std::string alternative = link.attribute("alt").value();
     if (!alternative.empty()) link.append_child(pugi::node_pcdata).set_value(alternative.c_str());
-    link.set_name(to.empty() ? "span" : "a");
+    link.set_name("span");
     link.remove_attributes();
-    if (!to.empty()) put_attribute(link, "href", to);
   }
 
   /// Good and bad are said by a sign and a colour.
@@ -257,7 +262,7 @@ class Refiner {
 
   void arrange(pugi::xml_node table) {
     std::vector<std::string> titles;
-    for (pugi::xml_node cell : table.child("thead").child("tr").children()) {
+    for (pugi::xml_node cell : table.child("thead").child("tr").children("th")) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
       put_attribute(cell, "scope", "col");
@@ -276,7 +281,9 @@ class Refiner {
     for (pugi::xml_node row : table.child("tbody").children("tr")) {
       if (folds && row_number++ >= rows_at_first) put_attribute(row, "class", "later");
       bool first = true;
-      for (pugi::xml_node cell : row.children()) {
+      std::vector<pugi::xml_node> cells;
+      for (const pugi::xml_node& cell : row.children("td")) cells.push_back(cell);
+      for (pugi::xml_node& cell : cells) {
         align(cell, first ? "rowheader" : "cell");
         if (first && !text_of(cell).empty()) {
           cell.set_name("th");
@@ -335,9 +342,10 @@ void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
       add_parts(node, parts);
     } else if (is_heading(node)) {
       const auto of = is(node, "h2") ? node.parent() : node;
-      parts.push_back({text_of(node), of.attribute("id").value(), ""});
+      parts.push_back({text_of(node), of.attribute("id").value(), "", ""});
     } else if (!parts.empty()) {
       parts.back().text += text_of(node) + " ";
+      parts.back().prose += text_of(node, Tables::left_out) + " ";
     }
   }
 }
@@ -378,9 +386,8 @@ HtmlPage html_page(const std::string& markdown, const HtmlOptions& options) {
   if (!options.view.is_null()) {
     later[view_place] =
         with_slots(embedded::view_form, {{"data", json_in_script(options.view.dump())}});
-    scripts = {embedded::chart_axes_script, embedded::view_runs_script,
-               embedded::view_ranks_script, embedded::view_choice_script,
-               embedded::view_chart_script, embedded::view_script};
+    scripts = {embedded::charts_script, embedded::view_runs_script, embedded::view_ranks_script,
+               embedded::view_choice_script, embedded::view_script};
   }
   if (markdown.find("<!-- choose:") != std::string::npos)
     scripts.emplace_back(embedded::choose_script);

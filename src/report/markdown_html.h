@@ -19,7 +19,7 @@ struct Picture {
 /// Stands in a filled page where a reader's own view of runs is.
 inline constexpr const char* view_mark = "<!-- view -->";
 
-/// Where a link or a picture leads; empty if nowhere, then its text stays.
+/// Where a link leads or a picture is; empty if nowhere, then its text stays.
 using LinkTarget = std::function<std::string(const std::string&)>;
 
 /// A link to a summary leads to its page.
@@ -27,14 +27,17 @@ std::string to_page(const std::string& link);
 
 struct HtmlOptions {
   std::map<std::string, Picture> pictures = {};  ///< that stand in the page, by file name
-  Json view = nullptr;          ///< data of the runs that a script filters, see view.js
-  LinkTarget target = to_page;  ///< other pictures become links, too
-  std::string look = "";        ///< CSS beside that of all pages
+  Json view = nullptr;  ///< data of the runs that a script filters, see view.js
+  LinkTarget target = to_page;
+  std::string look = "";  ///< CSS beside that of all pages
 };
 
 /// A heading of a page, its address in the page, and the text up to the next one.
 struct PagePart {
-  std::string heading, anchor, text;
+  std::string heading;
+  std::string anchor;  ///< empty: that of the page
+  std::string text;    ///< plain
+  std::string prose;   ///< the same without tables
 };
 
 struct HtmlPage {

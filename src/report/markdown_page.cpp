@@ -428,17 +428,6 @@ std::string without_the_site(const std::string& markdown) {
   return std::regex_replace(markdown, own, "$1");
 }
 
-/// A page of the reference says so below its title.
-std::string with_origin(const std::string& markdown, const Results& results) {
-  const Value *reference = results.value("made.reference"), *date = results.value("made.date");
-  if (reference == nullptr || *reference != Value(true)) return markdown;
-  const std::size_t title = std::min(markdown.find("\n\n"), markdown.size());
-  return fmt::format("{}\n\n*Of the committed reference{}: this machine has not computed it.*{}",
-                     markdown.substr(0, title),
-                     date == nullptr ? "" : ", computed on " + ricochet::text_of(*date),
-                     markdown.substr(title));
-}
-
 }  // namespace
 
 std::string filled_line(std::string_view line, const Results& results) {
@@ -494,7 +483,7 @@ PageFiles page_files(const PageSource& page, const Results& results,
     if (drawn.is_drawn()) pictures[chart.name + ".svg"] = {chart, std::move(drawn)};
     return markdown;
   });
-  std::string markdown = with_origin(with_files(filler.page(page, results)), results);
+  std::string markdown = with_files(filler.page(page, results));
   for (const ricochet::Table& table : results.tables) {
     if (!table.rows.empty() && !table.name.starts_with("view-"))
       written.files[table.name + ".csv"] = csv_of(table);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -33,9 +34,44 @@ void write_data(Json data, const fs::path& folder) {
   add_files(folder, {{data_file, json_text(data)}});
 }
 
-WrittenReport draw_page(const Json& data, const fs::path& folder) {
-  const PageSource page = page_source(page_template(data.at("report").get<std::string>()));
-  const Results results = results_of(data);
+/// How a report was made, in a sentence; "" if its data do not say.
+std::string sentence_of(const Json& made) {
+  if (!made.contains("date") || !made.contains("version")) return "";
+  const double seconds = made.value("seconds", 0.0);
+  const std::string processor = made.value("processor", "");
+  return fmt::format("Made on {} by ricochet {} ({}) in {:.{}f} s, with {}{}.",
+                     made.at("date").get<std::string>(), made.at("version").get<std::string>(),
+                     made.value("compiler", ""), seconds, seconds < 10 ? 1 : 0,
+                     counted(made.value("threads", 1), "thread"),
+                     processor.empty() ? "" : " on " + processor);
+}
+
+void add_made(const Json& made, Results& results) {
+  for (const auto& [name, value] : made.items()) {
+    if (value.is_string()) results.set("made." + name, value.get<std::string>());
+    if (value.is_number()) results.set("made." + name, value.get<double>());
+    if (value.is_boolean()) results.set("made." + name, value.get<bool>());
+  }
+}
+
+/// `made`: how the report was made. Its pages say so at their foot, for tables of seconds need it,
+/// and below the title if that was not on this machine.
+WrittenReport draw_page(const Json& data, const Json& made, const fs::path& folder) {
+  PageSource page = page_source(page_template(data.at("report").get<std::string>()));
+  Results results = results_in(data);
+  add_made(made, results);
+  if (made.value("reference", false)) {
+    const std::size_t title = page.text.find('\n', page.text.find("# "));
+    page.text.insert(
+        std::min(title, page.text.size()),
+        fmt::format("\n\n*Of the committed reference, computed on {}: this machine has "
+                    "not computed it.*",
+                    made.value("date", "an unknown date")));
+  }
+  if (const std::string foot = sentence_of(made); !foot.empty()) {
+    results.set("made", foot);
+    page.text += "\n\n{{made}}\n";
+  }
   auto [files, failures] = page_files(page, results);
   files[data_file] = json_text(data);
   replace_files(folder, files);
@@ -58,25 +94,19 @@ std::vector<std::string> pages_of(const Json& data) {
   return pages;
 }
 
-}  // namespace
-
-WrittenReport write_report(const Json& data, const fs::path& folder) {
-  write_data(data, folder);
-  // The report is drawn from the data as they were stored, not as they were computed.
-  return redraw_report(folder, folder);
-}
-
-WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
+/// `made`: how the report was made to which this further page belongs.
+WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& folder) {
   const fs::path file = from / data_file;
   const std::string text = text_of_file(file);
   std::vector<std::string> failures;
   try {
     const Json data = data_in(text);
+    const Json own = data.value("made", made);
     for (const std::string& name : pages_of(data)) {
-      const WrittenReport further = redraw_report(from / name, below(folder, name));
+      const WrittenReport further = redraw(from / name, own, below(folder, name));
       failures.insert(failures.end(), further.failures.begin(), further.failures.end());
     }
-    WrittenReport written = draw_page(data, folder);
+    WrittenReport written = draw_page(data, own, folder);
     for (std::string& line : written.failures) line = file.string() + ": " + line;
     written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
     return written;
@@ -91,6 +121,18 @@ WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
   }
 }
 
+}  // namespace
+
+WrittenReport write_report(const Json& data, const fs::path& folder) {
+  write_data(data, folder);
+  // The report is drawn from the data as they were stored, not as they were computed.
+  return redraw_report(folder, folder);
+}
+
+WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
+  return redraw(from, Json::object(), folder);
+}
+
 std::string page_template(const std::string& name) {
   std::string known;
   for (const auto& [own, text] : embedded::pages) {
@@ -103,12 +145,7 @@ std::string page_template(const std::string& name) {
 
 Results results_of(const Json& data) {
   Results results = results_in(data);
-  const Json made = data.value("made", Json::object());
-  for (const auto& [name, value] : made.items()) {
-    if (value.is_string()) results.set("made." + name, value.get<std::string>());
-    if (value.is_number()) results.set("made." + name, value.get<double>());
-    if (value.is_boolean()) results.set("made." + name, value.get<bool>());
-  }
+  add_made(data.value("made", Json::object()), results);
   return results;
 }
 

@@ -6,9 +6,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "src/core/csv.h"
-#include "src/report/text.h"
-
 namespace ricochet {
 
 std::optional<double> number_in(const Value& value) {
@@ -25,6 +22,9 @@ std::string number_text(double number, std::string format) {
   if (format.ends_with('%')) {
     scale = 100;
     format.back() = 'f';
+  } else if (format.ends_with('m')) {
+    scale = 1000;
+    format.pop_back();
   }
   const std::string spec = "{:" + (format.empty() ? ".4g" : format) + "}";
   const auto text = [&](double x) { return fmt::format(fmt::runtime(spec), x); };
@@ -277,124 +277,6 @@ Table joined(const Table& left, const Table& right, const std::vector<std::strin
     }
   }
   return result;
-}
-
-namespace {
-
-const std::string& title_of(const Column& column) {
-  return column.title.empty() ? column.name : column.title;
-}
-
-/// Whether a column has texts, which stand to the left.
-bool is_left(const Table& table, std::size_t column) {
-  return std::ranges::any_of(table.rows, [&](const auto& row) {
-    return std::holds_alternative<std::string>(row[column]);
-  });
-}
-
-std::string csv_cell(const Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.10g}", *number);
-  return csv_field(text_of(value));
-}
-
-/// The characters that LaTeX would read as commands.
-std::string escape_latex(const std::string& text) {
-  static const std::map<char, std::string> escapes = {
-      {'\\', "\\textbackslash{}"}, {'~', "\\textasciitilde{}"}, {'^', "\\textasciicircum{}"}};
-  std::string escaped;
-  for (const char c : text) {
-    const auto found = escapes.find(c);
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += found == escapes.end() ? std::string(1, c) : found->second;
-  }
-  return escaped;
-}
-
-/// Lines of cells with something before, between and after them.
-template <class Title, class Cell>
-std::string lines_of(const Table& table, std::size_t most, const std::string& between,
-                     const std::string& after, const Title& title, const Cell& cell) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, table.rows.size()); ++i) {
-    std::string line;
-    for (std::size_t k = 0; k < table.columns.size(); ++k) {
-      line += (k > 0 ? between : "") + cell(table.rows[i][k], table.columns[k], k);
-    }
-    text += line + after;
-  }
-  std::string head;
-  for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    head += (k > 0 ? between : "") + title(table.columns[k], k);
-  }
-  return head + after + text;
-}
-
-}  // namespace
-
-std::string csv_of(const Table& table) {
-  return lines_of(
-      table, SIZE_MAX, ",", "\n",
-      [](const Column& column, std::size_t) { return csv_field(column.name); },
-      [](const Value& value, const Column&, std::size_t) { return csv_cell(value); });
-}
-
-std::string latex_of(const Table& table) {
-  std::string alignment;
-  for (std::size_t k = 0; k < table.columns.size(); ++k) alignment += is_left(table, k) ? 'l' : 'r';
-  const std::string lines = lines_of(
-      table, SIZE_MAX, " & ", " \\\\\n",
-      [](const Column& column, std::size_t) { return escape_latex(title_of(column)); },
-      [](const Value& value, const Column& column, std::size_t) {
-        return escape_latex(text_of(value, column.format));
-      });
-  const std::size_t head = lines.find('\n') + 1;
-  return fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n",
-                     alignment, lines.substr(0, head), lines.substr(head));
-}
-
-std::string markdown_of(const Table& table, std::size_t most) {
-  std::string rule = "|";
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    rule += is_left(table, k) ? ":--|" : "--:|";
-  const std::string lines = lines_of(
-      table, most, " | ", " |\n",
-      [](const Column& column, std::size_t k) {
-        return (k == 0 ? "| " : "") + report::escape_markdown(title_of(column));
-      },
-      [](const Value& value, const Column& column, std::size_t k) {
-        return (k == 0 ? "| " : "") + report::escape_markdown(text_of(value, column.format));
-      });
-  const std::size_t head = lines.find('\n') + 1;
-  return lines.substr(0, head) + rule + "\n" + lines.substr(head);
-}
-
-std::string terminal_text_of(const Table& table) {
-  std::vector<int> widths;
-  for (const Column& column : table.columns) {
-    widths.push_back(static_cast<int>(fmt::formatted_size("{}", title_of(column))));
-  }
-  // fmt pads by columns of the terminal, so that a letter of several bytes has the width of one.
-  const auto padded = [&](const std::string& text, std::size_t k) {
-    return is_left(table, k) ? fmt::format("{:<{}}", text, widths[k])
-                             : fmt::format("{:>{}}", text, widths[k]);
-  };
-  for (const auto& row : table.rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string text = text_of(row[k], table.columns[k].format);
-      widths[k] = std::max(widths[k], static_cast<int>(text.size()));
-    }
-  }
-  std::string text = lines_of(
-      table, SIZE_MAX, "  ", "\n",
-      [&](const Column& column, std::size_t k) { return padded(title_of(column), k); },
-      [&](const Value& value, const Column& column, std::size_t k) {
-        return padded(text_of(value, column.format), k);
-      });
-  for (std::size_t at = 0; (at = text.find(" \n", at)) != std::string::npos;) {
-    text.erase(at, 1);
-    if (at > 0) --at;
-  }
-  return text;
 }
 
 }  // namespace ricochet

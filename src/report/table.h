@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/core/fields.h"
+#include "src/report/json.h"
 
 namespace ricochet {
 
@@ -55,10 +56,11 @@ Value value_of(const Maybe& maybe, const Get& get) {
   return maybe ? value_of(std::invoke(get, *maybe)) : Value();
 }
 
-/// A value as text: numbers by fmt's format, such as ".2f", or, with a last %, as per cent without
-/// the sign: ".0%" makes 12 of 0.123. Without a format numbers have up to four digits. Zero has no
-/// sign; true is "yes", or "✓" by the format "mark" (false: "✗"); a missing value is "". Throws
-/// std::logic_error for a format that does not fit.
+/// A value as text: numbers by fmt's format, such as ".2f"; with a last %, as per cent without the
+/// sign, ".0%" makes 12 of 0.123; with a last m, in thousandths, as mm of a length in m. Without a
+/// format numbers have up to four digits. Zero has no sign; true is "yes", or "✓" by the format
+/// "mark" (false: "✗"); a missing value is "". Throws std::logic_error for a format that does not
+/// fit.
 std::string text_of(const Value& value, std::string_view format = "");
 
 struct Column {
@@ -181,17 +183,28 @@ Table table_of(std::string name, const std::vector<T>& structs) {
   return table;
 }
 
-/// As a CSV file (RFC 4180) with the columns' names, numbers with up to ten digits, and empty
-/// fields for missing values.
-std::string csv_of(const Table& table);
+/// What of a table is written: a table whose rows do not fit into memory is written by its head
+/// and, batch by batch, its rows.
+enum class Lines { all, head, rows };
 
-/// As a LaTeX tabular with the columns' titles and formats.
-std::string latex_of(const Table& table);
+/// As a CSV file (RFC 4180) with the columns' names, for other programs: numbers read back to the
+/// same bits, or are inf or nan; bools are 1 and 0; missing values are empty, and no text is read
+/// as one, see label().
+std::string csv_of(const Table& table, Lines lines = Lines::all);
+
+/// A list of objects, one for each row, by the columns' names. Numbers keep all their digits;
+/// missing values, and numbers that are not finite, are null.
+report::Json json_rows_of(const Table& table);
+
+/// As a LaTeX tabular with the columns' titles and formats; needs textcomp and T1 fonts. Its head
+/// and its rows alone are lines for any table.
+std::string latex_of(const Table& table, Lines lines = Lines::all);
 
 /// As a GitHub table with the columns' titles and formats, texts to the left, at most `most` rows.
-std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX);
+std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX, Lines lines = Lines::all);
 
-/// For a terminal: aligned columns, two blanks between them.
-std::string terminal_text_of(const Table& table);
+/// For a terminal: aligned columns, two blanks between them; units, such as [m/s], stand below the
+/// titles. Lines longer than `width` bytes are cut and end in "...".
+std::string terminal_text_of(const Table& table, std::size_t width = SIZE_MAX);
 
 }  // namespace ricochet

@@ -67,7 +67,7 @@ TEST_F(RatedCampaign, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
   EXPECT_EQ(leader_of(ratings)->solver, "quick");
 }
 
-TEST_F(RatedCampaign, JudgesByTheReturnedPointUnlessAskedOtherwise) {
+TEST_F(RatedCampaign, JudgesByTheReturnedPoint) {
   const Comparison comparison = compared({careless("careless", 3), honest("honest", 20)});
   const auto by_returned = rate(comparison, all_, 0);
   EXPECT_EQ(by_returned[0].solver, "honest");
@@ -76,10 +76,6 @@ TEST_F(RatedCampaign, JudgesByTheReturnedPointUnlessAskedOtherwise) {
   EXPECT_EQ(by_returned[1].found, 1) << "it evaluated the best point";
   EXPECT_LT(by_returned[1].progress.back().share, 0.5) << "which a user would not get";
   EXPECT_EQ(by_returned[1].never, 3);
-  const auto by_evaluated = rate(comparison, all_, 0, Criterion::evaluated);
-  EXPECT_EQ(by_evaluated[0].solver, "careless");
-  EXPECT_EQ(by_evaluated[0].never, 0);
-  EXPECT_EQ(leader_of(by_evaluated, Criterion::evaluated)->solver, "careless");
 }
 
 TEST_F(RatedCampaign, HasNoLeaderIfNobodySolvedARun) {
@@ -87,8 +83,6 @@ TEST_F(RatedCampaign, HasNoLeaderIfNobodySolvedARun) {
   const auto ratings = rate(comparison, all_, 0);
   EXPECT_EQ(leader_of(ratings), nullptr);
   EXPECT_FALSE(ratings[0].probability_of_being_best);
-  EXPECT_NE(leader_of(rate(comparison, all_, 0, Criterion::evaluated), Criterion::evaluated),
-            nullptr);
   EXPECT_EQ(leader_of({}), nullptr);
 }
 

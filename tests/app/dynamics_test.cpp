@@ -20,7 +20,7 @@ TEST(Dynamics, WritesAReportThatStandsAlone) {
   EXPECT_EQ(html.find("<img"), std::string::npos);
   EXPECT_THAT(read(folder / "summary.md"), HasSubstr("moreau-jean"));
   EXPECT_TRUE(std::filesystem::exists(folder / "restitution.svg"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "work-mild.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "mild-work.svg"));
 }
 
 TEST(Dynamics, RefusesAFolderThatCannotBeWrittenBeforeItWorks) {

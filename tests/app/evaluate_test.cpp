@@ -162,6 +162,10 @@ TEST(Evaluate, DescribesTheProblem) {
   EXPECT_EQ(described["lower"].size(), 1U);
   const json scanned = json::parse(call("threshold --case C1 --format json").out);
   EXPECT_NEAR(described["best_known"].get<double>(), -scanned["first_loud"].get<double>(), 0.002);
+  EXPECT_EQ(described["best_point"], (json{-described["best_known"].get<double>()}));
+  EXPECT_EQ(described["proven"], true);
+  EXPECT_GT(described["penalty_weight"], 0);
+  EXPECT_THAT(described["provenance"].get<std::string>(), HasSubstr("scan"));
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
   const json moved = json::parse(call("evaluate top-speed-C1 --describe --instance 2").out);
   EXPECT_EQ(moved["best_known"], described["best_known"]);

@@ -29,12 +29,13 @@ TEST(ImpactTest, ComparesAToolOfOnesOwn) {
   const Outcome outcome = call(command + " --format json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto json = ordered_json::parse(outcome.out);
-  EXPECT_EQ(json["suite"]["scenes"], 11);
-  EXPECT_EQ(json["ours"]["tool"], "ricochet");
-  EXPECT_EQ(json["ours"]["wrong"], 0);
-  const auto& quiet = json["standings"].back();
-  EXPECT_EQ(quiet["tool"], "quiet");
-  EXPECT_EQ(quiet["missed"], 1000);
+  EXPECT_EQ(json["values"]["scenes"], 11);
+  EXPECT_EQ(json["values"]["lost"], 0);
+  const auto& tools = json["tables"]["tools"];
+  EXPECT_EQ(tools["columns"][2]["name"], "missed");
+  EXPECT_EQ(tools["rows"][0][0], "ricochet");
+  EXPECT_EQ(tools["rows"].back()[0], "quiet");
+  EXPECT_EQ(tools["rows"].back()[2], 1000);
   EXPECT_THAT(read(folder / "out" / "index.html"), HasSubstr("quiet"));
   EXPECT_THAT(read(folder / "out" / "scenes.jsonl"), HasSubstr("\"impacts\""));
   // Three scenes that break it, of different kinds; each is a machine.

@@ -29,7 +29,7 @@ TEST(List, HasTheTwelveCases) {
 
 TEST(List, HasEveryProblemWithItsFormulationsAndItsBestValue) {
   const auto problems = listed("problems");
-  ASSERT_EQ(problems.size(), 221U + 15 + 27 + 116 + 53);
+  ASSERT_EQ(problems.size(), 221U + 15 + 27 + 116 + 53 + 9);
   EXPECT_EQ(problems[0]["problem"], "count-C1");
   EXPECT_EQ(problems[0]["formulations"], (nlohmann::json{"count", "surrogate"}));
   EXPECT_EQ(problems[12]["problem"], "top-speed-C1");

@@ -46,8 +46,6 @@ TEST(Main, GroupsTheCommandsInItsHelp) {
                            "paper:\n  reproduce ",
                            "  calibrate ",
                            "suite:\n  verify ",
-                           "  stress ",
-                           "  problems ",
                            "  best-values ",
                            "  bench "}) {
     const std::size_t at = help.find(std::string("\n") + line, last);

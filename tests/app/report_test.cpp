@@ -76,19 +76,19 @@ TEST(ReportCommand, NamesEveryDamagedReportOfAFolderAndDrawsTheOthers) {
     return write(folder / report, "data.json", text).string();
   };
   const std::string calibration = kept("calibration", "\"agreement\":", "\"agrement\":");
-  const std::string stress = kept("stress", "{", "");
+  const std::string surrogate = kept("surrogate", "{", "");
   kept("verification", "{", "{");
   for (const auto& out : {folder / "out", folder}) {
     const Outcome outcome = call("report " + folder.string() + " --out " + out.string());
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: " + calibration + ": "));
     EXPECT_THAT(outcome.err, HasSubstr("agreement"));
-    EXPECT_THAT(outcome.err, HasSubstr("; " + stress + ": must be the data of a report: "));
+    EXPECT_THAT(outcome.err, HasSubstr("; " + surrogate + ": must be the data of a report: "));
     EXPECT_THAT(outcome.err, Not(HasSubstr("verification")));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
     EXPECT_TRUE(std::filesystem::exists(out / "verification" / "index.html"));
     EXPECT_THAT(read(out / "index.html"), HasSubstr("No count called certain is wrong."));
-    EXPECT_EQ(read(out / "stress" / "data.json"), read(stress));
+    EXPECT_EQ(read(out / "surrogate" / "data.json"), read(surrogate));
   }
 }
 

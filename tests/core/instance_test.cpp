@@ -98,19 +98,16 @@ TEST(Instance, MovesABestPointOffTheEndBeyondWhichTheProblemIsMirrored) {
   EXPECT_GT(highest, 0.75);
 }
 
-TEST(Instance, CountsTheCoordinatesThatStayAtAnEnd) {
-  Problem problem = parabola(3);
-  EXPECT_EQ(coordinates_at_ends(problem), 0);
-  problem.best_point = (Vector(3) << 1 - 1e-9, 0.5, 0).finished();
-  EXPECT_EQ(coordinates_at_ends(problem), 2);
-  for (int number = 1; number <= 20; ++number) {
-    const Problem moved = instance(problem, number);
-    EXPECT_EQ(coordinates_at_ends(moved), 2);
-  }
-  problem.mirrors = true;
-  EXPECT_EQ(coordinates_at_ends(problem), 0);
-  problem.best_point.reset();
-  EXPECT_EQ(coordinates_at_ends(problem), 0);
+/// As a shell does, but for a problem that may hang or crash: that one is named.
+TEST(Instance, IsOfAProblemThatAPatternChooses) {
+  Problem problem = parabola(1);
+  problem.name = "ill-1";
+  EXPECT_TRUE(is_chosen(problem, {"well-*", "*-1"}));
+  EXPECT_FALSE(is_chosen(problem, {"well-*"}));
+  problem.hazardous = true;
+  EXPECT_FALSE(is_chosen(problem, {"*", "*-1", "?ll-1", "well-*"}));
+  EXPECT_TRUE(is_chosen(problem, {"*", "ill-*"}));
+  EXPECT_TRUE(is_chosen(problem, {"ill-1"}));
 }
 
 TEST(Instance, KeepsTheBoxWhereNoBestPointIsKnown) {

@@ -30,8 +30,8 @@ const check = (holds, what) => { if (!holds) wrong.push(what); };
 const ask = (...words) => JSON.parse(execFileSync(program, [...words, "--format", "json"], {encoding: "utf8"}));
 
 fs.rmSync(folder, {recursive: true, force: true});
-fs.mkdirSync(path.join(folder, "from/stress"), {recursive: true});
-fs.copyFileSync(path.join(reports, "stress/data.json"), path.join(folder, "from/stress/data.json"));
+fs.mkdirSync(path.join(folder, "from/verification"), {recursive: true});
+fs.copyFileSync(path.join(reports, "verification/data.json"), path.join(folder, "from/verification/data.json"));
 execFileSync(program, ["report", path.join(folder, "from"), "--out", path.join(folder, "drawn")]);
 const file = path.join(folder, "drawn/live/index.html"), address = pathToFileURL(file).href;
 const size = fs.statSync(file).size;
@@ -97,6 +97,7 @@ for (const id of ["C1", "C2", "C3", "C4", "C10"]) {
 const page = await open({hash: "#case=C4&omega=7"});
 await settled(page);
 await page.click("#race-end");
+check(await text(page, "race-play") === "Race", `at its end the race offers to ${await text(page, "race-play")}`);
 const marks = await page.evaluate(() => {
   const {path, staircase, map, race, motion, found} = window.page, points = (one) => [...one.getAttribute("d").matchAll(/[MLH]/g)].length;
   const many = (chart, selector) => chart.svg.querySelectorAll(selector).length;
@@ -124,7 +125,7 @@ const marks = await page.evaluate(() => {
     ["quiet evaluations", many(race.lanes, ".try.quiet"), race.steps.flat().filter(({count}) => count <= found.fine.limit).length],
     ...race.steps.map((steps, racer) => {
       const first = steps.findIndex(({count}) => count <= found.fine.limit);
-      return [`gaps of ${racer}`, points(race.gaps.svg.querySelector(`.gap.racer-${racer}[stroke-width]`)), 100 - first];
+      return [`gaps of ${racer}`, points(race.gaps.svg.querySelector(`.line.gap.racer-${racer}`)), 100 - first];
     }),
   ];
 });

@@ -123,6 +123,15 @@ TEST(Colours, OfSevenSeriesDifferForEveryReader) {
   expect_apart(series_colours());
 }
 
+TEST(Colours, OfChartsByScriptsAreTheSame) {
+  std::ifstream stream(RICOCHET_SOURCE "/reports/templates/charts.js");
+  const std::string script{std::istreambuf_iterator<char>(stream), {}};
+  std::string list;
+  for (const std::string& colour : series_colours())
+    list += (list.empty() ? "\"" : ", \"") + colour + "\"";
+  EXPECT_THAT(script, testing::HasSubstr("const colours = [" + list + "]"));
+}
+
 TEST(Colours, OfSevenSeriesDifferForEveryReaderInTheDark) {
   std::vector<std::string> dark;
   for (const std::string& colour : series_colours()) {

@@ -26,10 +26,11 @@ TEST(Markdown, HasAnchorsAsCodeHostsMakeThem) {
 }
 
 TEST(Markdown, LeadsLinksAndPicturesWhereTheSiteHasThem) {
-  const std::string html = converted("[one](a.md) [two](no) ![three](b.svg)").html;
+  const std::string html = converted("[one](a.md) [two](no) ![three](b.svg) ![four](no)").html;
   EXPECT_THAT(html, HasSubstr("<a href=\"to/a.md\">one</a>"));
   EXPECT_THAT(html, HasSubstr("<span>two</span>"));
-  EXPECT_THAT(html, HasSubstr("<a href=\"to/b.svg\">three</a>"));
+  EXPECT_THAT(html, HasSubstr("<img src=\"to/b.svg\" alt=\"three\">"));
+  EXPECT_THAT(html, HasSubstr("<span>four</span>"));
 }
 
 TEST(Markdown, HasTablesAndListingsThatScroll) {

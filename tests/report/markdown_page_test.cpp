@@ -215,6 +215,17 @@ TEST(MarkdownPage, HasTheNumbersOfItsChartsAndTheRunsOfAView) {
                            Not(HasSubstr("@import")), HasSubstr("<html lang=\"en\">")));
 }
 
+TEST(MarkdownPage, NamesTheRowsAndTheCellsOfATable) {
+  const std::string html =
+      page_files(page("# Title\n\n| a | b | c | d |\n|:--|--:|--:|:--|\n| 1 | 2 | 3 | 4 |\n"),
+                 results())
+          .files.at("index.html");
+  EXPECT_THAT(html,
+              HasSubstr("<table class=\"folding\" style=\"--1:&quot;a&quot;;--2:&quot;b&quot;;"
+                        "--3:&quot;c&quot;;--4:&quot;d&quot;;\">"));
+  EXPECT_THAT(html, HasSubstr("<th class=\"left\" scope=\"row\">1</th>"));
+}
+
 TEST(MarkdownPage, ComesBackFromItsData) {
   Results before = results();
   Chart map{.name = "map", .title = "Map", .x = {"x"}, .y = {"y"}};

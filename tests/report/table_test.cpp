@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 
@@ -33,6 +36,7 @@ std::vector<std::string> column(const Table& table, const std::string& name) {
 
 TEST(Table, WritesNumbersAsTheFormatSays) {
   EXPECT_EQ(text_of(value_of(0.1254), ".1%"), "12.5");
+  EXPECT_EQ(text_of(value_of(0.00125), ".3gm"), "1.25");
   EXPECT_EQ(text_of(value_of(-1e-9), ".2f"), "0.00");
   EXPECT_EQ(text_of(value_of(3), ".1f"), "3.0");
   EXPECT_EQ(text_of(value_of(3)), "3");
@@ -112,18 +116,68 @@ TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
   Table table = runs();
   table.add("c|_%", "r,s", 1.0 / 3, true);
   const std::string csv = csv_of(table);
-  EXPECT_THAT(csv, testing::StartsWith("solver,problem,gap,solved\nb,p,2.5,yes\n"));
-  EXPECT_THAT(csv, HasSubstr("c|_%,\"r,s\",0.3333333333,yes\n"));
+  EXPECT_THAT(csv, testing::StartsWith("solver,problem,gap,solved\nb,p,2.5,1\n"));
+  EXPECT_THAT(csv, HasSubstr("c|_%,\"r,s\",0.3333333333333333,1\n"));
   EXPECT_THAT(markdown_of(table, 1), testing::StrEq("| solver | problem | gap [m/s] | solved |\n"
                                                     "|:--|:--|--:|--:|\n"
                                                     "| b | p | 2.50 | yes |\n"));
   EXPECT_THAT(markdown_of(table), HasSubstr("| c\\|\\_% | r,s | 0.33 | yes |\n"));
-  EXPECT_THAT(latex_of(table), HasSubstr("c|\\_\\% & r,s & 0.33 & yes \\\\\n"));
+  EXPECT_THAT(latex_of(table), HasSubstr("c\\textbar{}\\_\\% & r,s & 0.33 & yes \\\\\n"));
   EXPECT_THAT(latex_of(table), testing::StartsWith("\\begin{tabular}{llrr}\n"));
   EXPECT_THAT(terminal_text_of(where(table, "solver", value_of("a"))),
-              testing::StrEq("solver  problem  gap [m/s]  solved\n"
-                             "a       p             1.25      no\n"
-                             "a       q                      yes\n"));
+              testing::StrEq("solver  problem    gap  solved\n"
+                             "                 [m/s]\n"
+                             "a       p         1.25      no\n"
+                             "a       q                  yes\n"));
+}
+
+TEST(Table, IsCutAtTheEdgeOfATerminal) {
+  const std::string whole = terminal_text_of(only(runs(), {"solver", "problem"}));
+  EXPECT_EQ(whole.substr(0, whole.find("\nb")), "solver  problem");
+  EXPECT_THAT(terminal_text_of(only(runs(), {"solver", "problem"}), 10),
+              testing::StartsWith("solver ...\nb       p\n"));
+}
+
+/// The head once and the rows batch by batch are the same file as all at once.
+TEST(Table, IsWrittenInBatches) {
+  Table first = runs(), rest = runs();
+  first.rows.resize(1);
+  rest.rows.erase(rest.rows.begin());
+  const auto in_batches = [&](const auto& write) {
+    return write(first, Lines::head) + write(first, Lines::rows) + write(rest, Lines::rows);
+  };
+  EXPECT_EQ(in_batches([](const Table& t, Lines lines) { return csv_of(t, lines); }),
+            csv_of(runs()));
+  EXPECT_EQ(in_batches([](const Table& t, Lines lines) { return markdown_of(t, SIZE_MAX, lines); }),
+            markdown_of(runs()));
+  EXPECT_THAT(latex_of(runs()), HasSubstr(in_batches([](const Table& t, Lines lines) {
+                                            return latex_of(t, lines);
+                                          }).substr(latex_of(first, Lines::head).size())));
+}
+
+TEST(Table, HasExactNumbersAndNoLabelThatIsReadAsMissingInCsv) {
+  std::mt19937_64 random(3);
+  Table table{"numbers", {{"x"}, {"name"}}};
+  for (int k = 0; k < 1000; ++k) {
+    const double number = std::bit_cast<double>(random());
+    table.rows = {{number, std::string("nan")}};
+    const std::string row = csv_of(table, Lines::rows);
+    const double read = std::strtod(row.c_str(), nullptr);
+    EXPECT_TRUE(read == number || std::isnan(number)) << row;
+    EXPECT_THAT(row, testing::EndsWith(",missing-value\n"));
+  }
+  table.rows = {{-std::numeric_limits<double>::infinity(), std::string("two\nlines")}};
+  EXPECT_EQ(csv_of(table, Lines::rows), "-inf,two\\x0alines\n");
+}
+
+TEST(Table, IsAListOfObjectsInJson) {
+  Table table = runs();
+  table.rows[3][2] = std::numeric_limits<double>::infinity();
+  const report::Json rows = json_rows_of(table);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].dump(), R"({"solver":"b","problem":"p","gap":2.5,"solved":true})");
+  EXPECT_TRUE(rows[2]["gap"].is_null());
+  EXPECT_TRUE(rows[3]["gap"].is_null());
 }
 
 struct Fall {

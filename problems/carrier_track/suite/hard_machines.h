@@ -8,13 +8,13 @@
 #include "ricochet/problem.h"
 
 /// Machines whose staircases rise and fall. The paper's machines, apart from a few collisions, are
-/// quiet up to some speed and loud beyond it, so bisection finds their fastest quiet speed. These
-/// machines, found by a search among random ones (src/studies/best_values/best_values.h), are
+/// quiet up to some speed and loud beyond it, so bisection finds their top speed in the window.
+/// These machines, found by a search among random ones (src/studies/best_values/best_values.h), are
 /// quiet again in a narrow quiet interval at a much higher speed.
 namespace ricochet::carrier_track::inline problems {
 
-/// Measures of how hard the fastest quiet speed is to find; speeds and widths in rad/s, from a scan
-/// of the whole range.
+/// Measures of how hard the top speed in the window is to find; speeds and widths in rad/s, from a
+/// scan of the whole range.
 struct Hardness {
   int quiet_intervals = 0;     ///< of quiet speeds, no narrower than speed_tolerance
   double first_end = 0;        ///< the fastest speed of the first interval
@@ -57,7 +57,7 @@ const HardMachines& found_hard_machines();
 /// The machines of found_hard_machines().
 const std::vector<HardMachine>& hard_machines();
 
-/// The fastest quiet speed of a hard machine, "hard-top-speed-<id>", with its best value.
+/// The top speed in the window of a hard machine, "hard-top-speed-<id>", with its best value.
 Problem hard_top_speed_problem(const HardMachine& hard);
 
 /// The problem of every hard machine.

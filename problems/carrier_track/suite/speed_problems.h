@@ -17,7 +17,7 @@ namespace ricochet::carrier_track::inline problems {
 /// smooth surrogate has them.
 Problem count_problem(const Machine& machine);
 
-// The fastest quiet speed.
+// The top speed in the window.
 
 /// Minimise -speed subject to count <= quiet limit, without derivatives. The surrogate has them;
 /// its constraint is to stay below the half_level of the limit.
@@ -41,7 +41,7 @@ struct Slowness {
   }
 };
 
-/// [rad/s] below the fastest quiet speed that still count as solved.
+/// [rad/s] below the top speed in the window that still count as solved.
 inline constexpr double speed_tolerance = 0.01;
 
 /// [rad/s], penalty for one collision too many: no gain of speed in the box outweighs half a

@@ -12,7 +12,7 @@
 
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/order.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/outcomes.h"
@@ -29,6 +29,22 @@ struct Setting {
   Order order;
   std::size_t problems;
 };
+
+Table no_changes(std::string name) {
+  return {std::move(name),
+          {{"family"},
+           {"changed"},
+           {"setting", "to"},
+           {"first"},
+           {"same", "", "mark"},
+           {"best", "P(best)", ".2f", 3},
+           {"returned", "success rate [%]", ".0%", 3},
+           {"problems"},
+           {"entries", "ranked entries"},
+           {"correlation", "", ".2f", 3},
+           {"lower", "", ".2f", 3},
+           {"upper", "", ".2f", 3}}};
+}
 
 /// A row for each setting; all are compared with the first.
 void add_rows(Table& table, const std::string& family, const std::string& changed,
@@ -115,7 +131,10 @@ void add_smoothings(Table& table, const Comparison& comparison, const Group& gro
   }
 }
 
-void add_levels(Table& table, const Comparison& comparison, const Group& group) {
+}  // namespace
+
+Table level_table(const Comparison& comparison, const Group& group) {
+  Table table = no_changes("levels");
   std::map<std::string, std::map<double, std::vector<std::size_t>>> factors;
   for (const std::size_t q : group.problems) {
     for (const auto& [name, level] : comparison.campaign->problems()[q].factors) {
@@ -133,33 +152,17 @@ void add_levels(Table& table, const Comparison& comparison, const Group& group) 
     }
     add_rows(table, group.family, name, settings);
   }
+  return table;
 }
 
-}  // namespace
-
 Table change_table(const Campaign& campaign, const std::vector<CellResult>& results,
-                   const std::vector<ReportedPart>& parts) {
-  Table table{"changes",
-              {{"family"},
-               {"changed"},
-               {"setting", "to"},
-               {"first"},
-               {"same", "", "mark"},
-               {"best", "P(best)", ".2f", 3},
-               {"returned", "success rate [%]", ".0%", 3},
-               {"problems"},
-               {"entries", "ranked entries"},
-               {"correlation", "", ".2f", 3},
-               {"lower", "", ".2f", 3},
-               {"upper", "", ".2f", 3}}};
-  for (const ReportedPart& part : parts) {
-    add_prices(table, campaign, results, part);
-    const Comparison comparison = comparison_of(campaign, results, part.usual);
-    const bool of_grid = !campaign.plan().parts[part.part].machines.around.empty();
-    for (Group group : groups_of(comparison)) {
-      group.family = part.families.at(group.family);
-      add_smoothings(table, comparison, group);
-      if (of_grid) add_levels(table, comparison, group);
+                   const std::vector<RatedPart>& parts) {
+  Table table = no_changes("changes");
+  for (const RatedPart& part : parts) {
+    add_prices(table, campaign, results, *part.part);
+    for (Group group : groups_of(part.comparison)) {
+      group.family = part.part->families.at(group.family);
+      add_smoothings(table, part.comparison, group);
     }
   }
   return table;

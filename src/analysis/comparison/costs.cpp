@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
-#include <set>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,7 +15,6 @@
 #include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/core/instance.h"
-#include "src/report/text.h"
 
 namespace ricochet::studies::comparison {
 
@@ -26,12 +23,10 @@ namespace {
 using report::Chart;
 using report::Mark;
 using report::Range;
-using report::Sample;
 using report::Scale;
-using report::Series;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double cheapest_simulation = 1e-6;  // [s], ends of the chart
+constexpr double cheapest_simulation = 1e-6;  // [s], ends of what is looked at
 constexpr double dearest_simulation = 1e4;
 constexpr int resamples = 200;
 
@@ -92,9 +87,9 @@ Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
         evaluations > 0 ? std::max(one.seconds - evaluations * spent.simulation, 0.0) : one.seconds;
     auto& at = spent.expenses.emplace_back();
     for (std::size_t p = 0; p < prices.size(); ++p) {
-      at[p] = {problem.cost * one.values / variables,
-               problem.cost * price_on(problem, prices[p]) * one.gradients / variables,
-               overhead / variables};
+      at[p] = {
+          problem.cost * (one.values + price_on(problem, prices[p]) * one.gradients) / variables,
+          overhead / variables};
     }
   }
   return spent;
@@ -103,13 +98,12 @@ Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
 /// Mean over the problems.
 std::vector<Expense> mean_expenses(const std::vector<Spent>& all,
                                    const std::vector<std::size_t>& problems, std::size_t price) {
-  std::vector<Expense> means(all.front().expenses.size(), Expense{0, 0, 0});
+  std::vector<Expense> means(all.front().expenses.size(), Expense{0, 0});
   const auto count = static_cast<double>(problems.size());
   for (const std::size_t q : problems) {
     for (std::size_t e = 0; e < means.size(); ++e) {
       const Expense& one = all[q].expenses[e][price];
-      means[e].evaluations += one.evaluations / count;
-      means[e].gradients += one.gradients / count;
+      means[e].simulations += one.simulations / count;
       means[e].overhead += one.overhead / count;
     }
   }
@@ -125,18 +119,18 @@ struct Stretch {
 std::vector<Stretch> stretches_of(const std::vector<Expense>& expenses) {
   std::vector<Stretch> stretches;
   double from = cheapest_simulation;
-  std::size_t ahead = cheapest_solvers(expenses, {from}, {1})[0][0];
+  std::size_t ahead = cheapest_solver(expenses, from);
   while (true) {
     stretches.push_back({ahead, from});
     double next = dearest_simulation;
     for (const Expense& other : expenses) {
-      const auto level = break_even_simulation(expenses[ahead], other, 1);
+      const auto level = break_even_simulation(expenses[ahead], other);
       if (level && *level > from) next = std::min(next, *level);
     }
     if (next >= dearest_simulation) return stretches;
     // If several entries are level, take the one that is ahead just above this cost.
     from = next * (1 + 1e-9);
-    const std::size_t after = cheapest_solvers(expenses, {from}, {1})[0][0];
+    const std::size_t after = cheapest_solver(expenses, from);
     if (after == ahead) return stretches;
     ahead = after;
   }
@@ -153,7 +147,7 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
       q = static_cast<std::size_t>(uniform(random) * static_cast<double>(spent.size()));
     }
     const auto expenses = mean_expenses(spent, drawn, price);
-    if (cheapest_solvers(expenses, {simulation}, {1})[0][0] == entry) ++ahead;
+    if (cheapest_solver(expenses, simulation) == entry) ++ahead;
   }
   return ahead / static_cast<double>(resamples);
 }
@@ -170,32 +164,6 @@ void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent
         sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
                  seed_of("break-even", set.family, static_cast<int>(k), static_cast<int>(price))));
   }
-}
-
-/// Time to the answer over the least of all, over what a simulation takes.
-Series curve_of(const EntrySet& set, const std::vector<Expense>& expenses, std::size_t e) {
-  Series curve{entry(set.entries[e].solver, set.entries[e].formulation)};
-  for (int k = -24; k <= 16; ++k) {
-    const double simulation = std::pow(10.0, k / 4.0);
-    const double mine = seconds_to_target(expenses[e], simulation, 1);
-    double least = mine;
-    for (const Expense& other : expenses) {
-      least = std::min(least, seconds_to_target(other, simulation, 1));
-    }
-    curve.samples.push_back({simulation, least > 0 ? mine / least : 1});
-  }
-  return curve;
-}
-
-std::string title_of(const EntrySet& set, const std::vector<Stretch>& stretches) {
-  const auto solver = [&](const Stretch& s) { return set.entries[s.entry].solver; };
-  if (stretches.size() == 1) {
-    return fmt::format("{}: {} is ahead at any cost of a simulation", set.family,
-                       solver(stretches.front()));
-  }
-  return fmt::format("{}: {} is ahead of {} from {} a simulation on", set.family,
-                     solver(stretches.back()), solver(stretches[stretches.size() - 2]),
-                     report::seconds_text(stretches.back().from));
 }
 
 }  // namespace
@@ -219,28 +187,11 @@ void add_break_even(const Campaign& campaign, const EntrySet& set, report::Resul
                {"solver", "ahead"},
                {"formulation"},
                {"sure", "confidence [%]", ".0%", 3}}};
-  Chart chart{.name = "break-even",
-              .x = {"what a simulation takes [s]", Scale::logarithmic},
-              .y = {"time to the answer, over the least", Scale::logarithmic},
-              .width = 820,
-              .height = 360};
-  std::vector<std::size_t> drawn;
   for (std::size_t p = 0; p < prices.size(); ++p) {
-    const std::vector<Stretch> stretches = stretches_of(mean_expenses(spent, all, p));
-    add_rows(table, set, spent, stretches, p);
-    for (const Stretch& stretch : stretches) {
-      if (std::ranges::find(drawn, stretch.entry) == drawn.end()) drawn.push_back(stretch.entry);
-    }
-    if (prices[p] == Price::measured) chart.title = title_of(set, stretches);
-  }
-  const auto expenses = mean_expenses(spent, all, static_cast<std::size_t>(Price::measured));
-  for (const std::size_t e : drawn) chart.series.push_back(curve_of(set, expenses, e));
-  if (!simulations.empty()) {
-    chart.lines.push_back({report::Direction::vertical, mean_cost(simulations), "here"});
+    add_rows(table, set, spent, stretches_of(mean_expenses(spent, all, p)), p);
   }
   page.set("here", simulations.empty() ? Value() : value_of(mean_cost(simulations)));
   page.add(std::move(table));
-  page.add(std::move(chart));
 }
 
 namespace {
@@ -254,32 +205,22 @@ MeanShare share_of(const Entry& entry, const std::vector<double>& shares) {
 }
 
 void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& entry) {
-  std::vector<double> evaluations, seconds, shares, gaps;
+  std::vector<double> evaluations, seconds, shares;
   std::size_t runs = 0;
   for (const CellResult* result : entry.results) {
     const OnProblem one = on_problem(campaign, *result);
     evaluations.push_back(one.evaluations);
     seconds.push_back(one.seconds);
     shares.push_back(one.share);
-    gaps.push_back(one.optimality_gap);
     runs += result->outcomes.size();
   }
   const MeanShare share = share_of(entry, shares);
   const bool joint = set.budget == 0;
-  if (gaps.size() == 1) {
-    gaps.clear();
-    for (const Outcome& outcome : entry.results.front()->outcomes) {
-      gaps.push_back(outcome.verdict.optimality_gap.value_or(infinity));
-    }
-  }
-  const auto interval = joint ? std::nullopt : order_statistic_interval(gaps);
-  table.add(set.family, joint ? Value() : value_of(set.part + 1),
-            joint ? Value() : value_of(set.budget), set.largest, entry.solver,
-            kind_of(entry.solver), entry.formulation, entry.results.size(),
-            entry.results.size() == set.problems.size(), runs, mean_cost(evaluations),
-            mean_cost(seconds), share.mean, share.interval.lower, share.interval.upper,
-            joint ? Value() : value_of(quantile(gaps, 0.5)), value_of(interval, &Interval::lower),
-            value_of(interval, &Interval::upper), false, false);
+  table.add(
+      set.family, joint ? Value() : value_of(set.part + 1), joint ? Value() : value_of(set.budget),
+      set.largest, entry.solver, kind_of(entry.solver), entry.formulation, entry.results.size(),
+      entry.results.size() == set.problems.size(), runs, mean_cost(evaluations), mean_cost(seconds),
+      share.mean, share.interval.lower, share.interval.upper, false, false);
 }
 
 /// Marks the complete rows on the Pareto front, from `first` on.
@@ -306,7 +247,7 @@ std::string title_of(const std::string& name, const Table& front, std::size_t al
   }
   if (fastest.number(cost) == spent) {
     return fmt::format(
-        "{}: {} ({:.0f} %, {}) is first in both, of {}", name, surest.text("solver"),
+        "{}: {} ({:.0f} %, {}) solves most, at least cost, of {}", name, surest.text("solver"),
         100 * surest.number("share"),
         by_time ? fmt::format("{:.2g} ms", 1e3 * spent) : fmt::format("{:.3g} evaluations", spent),
         all);
@@ -350,9 +291,6 @@ Table speed_accuracy_table(const Campaign& campaign, const std::vector<EntrySet>
                {"share", "success rate [%]", ".0%", 3},
                {"lower", "", ".0%", 3},
                {"upper", "", ".0%", 3},
-               {"optimality_gap", "median optimality gap", ".3g", 3},
-               {"optimality_gap_lower", "", ".3g", 3},
-               {"optimality_gap_upper", "", ".3g", 3},
                {"on_front", "on the front", "mark"},
                {"on_time_front", "on the front by time", "mark"}}};
   const auto add = [&](const EntrySet& set) {
@@ -406,49 +344,46 @@ Chart speed_accuracy_chart(const Table& of_family, bool by_time) {
 }
 
 Table kind_table(const Table& of_family) {
-  Table table{"kinds",
-              {{"kind"},
-               {"solvers"},
-               {"best", "best of the kind"},
-               {"share", "success rate [%]", ".0%", 3},
-               {"lower", "", ".0%", 3},
-               {"upper", "", ".0%", 3}}};
-  std::map<std::string, std::size_t> solvers;
   const Table rows = sorted(where(of_family, "complete", true), {"-share", "evaluations"});
-  each_row(rows, [&](const Row& row) { ++solvers[row.text("kind")]; });
-  std::set<std::string> told;
-  each_row(rows, [&](const Row& row) {
-    const bool first = told.insert(row.text("kind")).second;
-    const bool paper = row.text("solver") == paper_solver;
-    if (!first && !paper) return;
-    table.add(first ? row.text("kind") : "the paper's algorithm",
-              first ? value_of(solvers.at(row.text("kind"))) : Value(), row.text("solver"),
-              row["share"], row["lower"], row["upper"]);
-  });
+  const auto first = [](const std::vector<Value>& values) { return values.front(); };
+  Table table = aggregated(rows, {"kind"},
+                           {{{"solvers"}, "", count_of},
+                            {{"best", "solves most of its kind"}, "solver", first},
+                            {{"share", "success rate [%]", ".0%", 3}, "share", first},
+                            {{"lower", "", ".0%", 3}, "lower", first},
+                            {{"upper", "", ".0%", 3}, "upper", first}});
+  table.name = "kinds";
   return table;
 }
 
 std::optional<std::string> paper_algorithm_sentence(const Table& of_family) {
-  const auto find = [&](const std::string& solver) {
-    return of_family.find(
-        [&](const Row& row) { return row.is("complete") && row.text("solver") == solver; });
-  };
-  const auto own = find(paper_solver), drawn = find("random-search");
+  const Table rows = sorted(where(of_family, "complete", true), {"-share", "evaluations"});
+  const auto own = rows.find([](const Row& row) { return row.text("solver") == paper_solver; });
+  const auto drawn =
+      rows.find([](const Row& row) { return row.text("solver") == "random-search"; });
   if (!own || !drawn) return {};
-  const std::string family = of_family[0].text("family");
-  const bool better = own->number("lower") > drawn->number("upper");
-  const bool worse = own->number("upper") < drawn->number("lower");
-  return fmt::format(
-      "The paper's algorithm ({}) is {} than random search on {} ({:.0f} problems): it solves "
-      "{:.0f} % "
-      "[{:.0f}, {:.0f}] of the runs, random search {:.0f} % [{:.0f}, {:.0f}].",
+  const Table variants =
+      where(rows, [](const Row& row) { return row.text("solver").starts_with(paper_solver); });
+  const auto rate = [](const Row& row) {
+    return fmt::format("{:.0f} % [{:.0f}, {:.0f}]", 100 * row.number("share"),
+                       100 * row.number("lower"), 100 * row.number("upper"));
+  };
+  const std::string family = own->text("family");
+  std::string text = fmt::format(
+      "The paper's algorithm ({}) is {} than random search on {} ({:.0f} problems): it solves {} "
+      "of "
+      "the runs, random search {}.",
       paper_solver,
-      better  ? "better"
-      : worse ? "worse"
-              : "not measurably better",
+      own->number("lower") > drawn->number("upper")   ? "better"
+      : own->number("upper") < drawn->number("lower") ? "worse"
+                                                      : "not measurably better",
       family == "all" ? "the families that most solvers take" : family, own->number("problems"),
-      100 * own->number("share"), 100 * own->number("lower"), 100 * own->number("upper"),
-      100 * drawn->number("share"), 100 * drawn->number("lower"), 100 * drawn->number("upper"));
+      rate(*own), rate(*drawn));
+  if (variants.rows.size() > 1) {
+    text += fmt::format(" Of its {} variants {} solves most, {}.", variants.rows.size(),
+                        variants[0].text("solver"), rate(variants[0]));
+  }
+  return text;
 }
 
 std::string front_sentence(const Table& of_family) {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "embedded/families.h"
-#include "src/analysis/comparison/pairs.h"
+#include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
@@ -40,8 +40,10 @@ std::optional<std::string> text_of(const std::string& family, const std::string&
   return like ? text_of(*like, key) : std::nullopt;
 }
 
-/// Sets the texts that say what a family asks; those that it lacks are missing.
-void set_texts(Results& part, const std::string& family, const Problem& problem) {
+/// Sets the texts that say what a family asks; those that it lacks, or that an earlier part of the
+/// page has word for word, are missing.
+void set_texts(Results& part, const std::string& family, const Problem& problem,
+               const std::vector<report::Part>& earlier) {
   Results names;
   names.set("smoothing", problem.smoothing);
   for (const char* key : {"minimise", "when", "measure", "risk"})
@@ -49,7 +51,10 @@ void set_texts(Results& part, const std::string& family, const Problem& problem)
   for (const char* key :
        {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
     const auto text = text_of(family, key);
-    part.set(key, text ? value_of(report::filled_line(*text, names)) : Value());
+    const Value filled = text ? value_of(report::filled_line(*text, names)) : Value();
+    const bool told = std::ranges::any_of(
+        earlier, [&](const report::Part& one) { return *one.results.value(key) == filled; });
+    part.set(key, told ? Value() : filled);
   }
   part.set("title", report::filled_line(text_of(family, "title").value_or(family), names));
 }
@@ -153,7 +158,7 @@ void add_budgets(const RatedPart& rated, std::size_t g, Results& part) {
   const std::vector<std::int64_t>& budgets = rated.comparison.part->budgets;
   const Group& group = rated.groups[g];
   for (std::size_t b = budgets.size(); b-- > 0;) {  // the largest first
-    const std::vector<Rating>& ratings = rated.ratings[g][b].by_returned;
+    const std::vector<Rating>& ratings = rated.ratings[g][b];
     report::Part budget{fmt::format("{}", budgets[b]), fmt::format("{}", budgets[b]), {}};
     budget.results.add(runtime_ecdf(group.family, budgets[b], ratings));
     budget.results.add(rating_table("ratings", ratings, group.problems.size()));
@@ -171,7 +176,6 @@ void add_set(const Campaign& campaign, const EntrySet& set, const Table& speed_a
     part.add(report::Chart(speed_accuracy_chart(rows, false)));
   }
   if (!set.compared()) return;
-  add_pairs(campaign, set, part);
   if (!set.any_solved()) return;
   add_profiles(campaign, set, part);
   add_break_even(campaign, set, part);
@@ -181,7 +185,7 @@ void add_set(const Campaign& campaign, const EntrySet& set, const Table& speed_a
 void complete(Results& part) {
   for (const char* name : {"virtual-best", "here"})
     if (part.value(name) == nullptr) part.set(name, Value());
-  for (const char* name : {"pairs", "profile", "break-even"})
+  for (const char* name : {"profile", "break-even"})
     if (part.table(name) == nullptr) part.add(Table{name});
 }
 
@@ -208,7 +212,8 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       const Problem& first = campaign.problems()[group.problems.front()];
       const Problem& constrained = campaign.problems()[*std::ranges::max_element(
           group.problems, {}, [&](std::size_t q) { return campaign.problems()[q].constraints; })];
-      set_texts(results, own, first);
+      const std::vector<report::Part>& earlier = page->results.parts["families"];
+      set_texts(results, own, first, earlier);
       if (page->results.values.empty()) {
         page->results.set("heading", text_of(folder, "title").value_or(folder));
       }
@@ -224,7 +229,7 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       add_budgets(rated, g, results);
       results.add(solved_map(rated, g));
       results.add(result_table(rated, group));
-      results.add(formulation_table(rated.comparison, group));
+      results.add(formulation_table(rated.most(g)));
       results.add(ceiling_table(rated.comparison, group));
       for (const EntrySet& set : sets) {
         if (set.family == group.family && set.largest)

@@ -28,8 +28,8 @@ report::Chart solved_map(const RatedPart& part, std::size_t group);
 Table result_table(const RatedPart& part, const Group& group);
 
 /// The problems of a group: name, variables, constraints, best_known, provenance, targets, easiest,
-/// random (expected running time of random search), solving, entries, separates, hash; see
-/// separation_of().
+/// random (expected running time of random search), solving (entries that solve it in at least half
+/// of their runs), entries, hash.
 Table problem_table(const RatedPart& part, const Group& group,
                     const std::map<std::string, std::string>& hashes);
 

@@ -18,11 +18,9 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-using report::Axis;
 using report::Chart;
 using report::Mark;
 using report::Range;
-using report::Sample;
 using report::Scale;
 using report::Series;
 
@@ -53,10 +51,6 @@ std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::siz
     if (result.cell->problem == problem) return result.targets;
   }
   return nullptr;  // a group has problems with results only
-}
-
-bool has_largest_budget(const Comparison& comparison, const CellResult& result) {
-  return result.cell->cell.budget == comparison.part->budgets.back();
 }
 
 }  // namespace
@@ -126,7 +120,7 @@ Chart solved_map(const RatedPart& part, std::size_t number) {
   std::map<std::string, std::vector<std::optional<double>>> rows;
   for (const CellResult& result : part.comparison.results) {
     const auto place = std::ranges::find(group.problems, result.cell->problem);
-    if (place == group.problems.end() || !has_largest_budget(part.comparison, result)) continue;
+    if (place == group.problems.end() || !part.comparison.has_largest_budget(result)) continue;
     auto& cells = rows[entry(result.cell->cell.solver, result.cell->cell.formulation)];
     cells.resize(group.problems.size());
     cells[static_cast<std::size_t>(place - group.problems.begin())] =
@@ -190,8 +184,8 @@ Table result_table(const RatedPart& part, const Group& group) {
               value_of(time, &Estimate::value),
               value_of(time, [](const Estimate& e) { return e.interval.lower; }),
               value_of(time, [](const Estimate& e) { return e.interval.upper; }),
-              value_of(r.seconds_to_solve, [](double s) { return 1e3 * s; }), r.gap.value,
-              r.distinct, r.runs, r.failed);
+              value_of(r.seconds_to_solve, [](double s) { return 1e3 * s; }), r.gap, r.distinct,
+              r.runs, r.failed);
   }
   return table;
 }
@@ -209,17 +203,16 @@ Table problem_table(const RatedPart& part, const Group& group,
                {"random", "", ".3g", 3},
                {"solving"},
                {"entries"},
-               {"separates"},
                {"hash"}}};
   for (const std::size_t q : group.problems) {
     const Problem& problem = part.comparison.campaign->problems()[q];
     const Targets& targets = *targets_on(part.comparison, q);
-    const Separation separation = separation_of(part.comparison, q);
+    const Tries tries = tries_on(part.comparison, q);
     const auto hash = hashes.find(problem.name);
     table.add(problem.name, problem.dimension(), problem.constraints, problem.best_known,
               problem.provenance, targets.size(), targets.back(),
-              random_search_time(part.comparison, q), separation.solving, separation.entries,
-              separation.by, hash == hashes.end() ? "" : hash->second);
+              random_search_time(part.comparison, q), tries.solving, tries.entries,
+              hash == hashes.end() ? "" : hash->second);
   }
   return table;
 }

@@ -29,8 +29,7 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
   for (const Group& group : groups) {
     auto& of_group = ratings.emplace_back();
     for (std::size_t b = 0; b < comparison.part->budgets.size(); ++b) {
-      of_group.push_back({rate(comparison, group.problems, b),
-                          rate(comparison, group.problems, b, Criterion::evaluated)});
+      of_group.push_back(rate(comparison, group.problems, b));
     }
   }
   return ratings;

@@ -22,13 +22,8 @@ struct Group {
 /// Returns the families of the problems that are compared, in the order of their first problems.
 std::vector<Group> groups_of(const Comparison& comparison);
 
-/// Ratings, best first, by either criterion.
-struct BothRatings {
-  std::vector<Rating> by_returned, by_evaluated;
-};
-
-/// For each group and each budget of the part.
-using Ratings = std::vector<std::vector<BothRatings>>;
+/// For each group and each budget of the part, best first.
+using Ratings = std::vector<std::vector<std::vector<Rating>>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
 
 /// A part of the plan with its families, as the report names them, rated.
@@ -38,10 +33,16 @@ struct RatedPart {
   std::vector<Group> groups;  ///< without those that an earlier part has
   Ratings ratings;            ///< of the groups
 
-  const std::vector<Rating>& most(std::size_t group) const {
-    return ratings[group].back().by_returned;
-  }
+  const std::vector<Rating>& most(std::size_t group) const { return ratings[group].back(); }
 };
+
+/// Calls `use` with each part and the number of each of its groups.
+template <class Use>
+void each_group(const std::vector<RatedPart>& parts, const Use& use) {
+  for (const RatedPart& part : parts) {
+    for (std::size_t g = 0; g < part.groups.size(); ++g) use(part, g);
+  }
+}
 
 /// Campaign, results and parts must outlive them.
 std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<CellResult>& results,

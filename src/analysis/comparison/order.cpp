@@ -13,6 +13,7 @@
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/shares.h"
+#include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
@@ -105,43 +106,55 @@ Table order_table(const std::vector<CellResult>& results, const std::vector<Rate
               agreement->correlation, agreement->lower, agreement->upper, a.leader, b.leader,
               a.leader == b.leader);
   };
-  for (const RatedPart& rated : parts) {
+  each_group(parts, [&](const RatedPart& rated, std::size_t g) {
     const Comparison& comparison = rated.comparison;
     const Campaign& campaign = *comparison.campaign;
     const std::size_t last = comparison.part->budgets.size() - 1;
-    for (std::size_t g = 0; g < rated.groups.size(); ++g) {
-      const Group& group = rated.groups[g];
-      const std::vector<Rating>& first = rated.ratings[g].front().by_returned;
-      const std::vector<Rating>& most = rated.most(g);
-      const auto order = [&](const Comparison& compared, std::size_t budget) {
-        return order_of(rate(compared, group.problems, budget));
-      };
-      if (rated.part->repetition) {
-        Conditions again = rated.part->usual;
-        again.part = *rated.part->repetition;
-        again.run = 1;
-        add(group, "other seeds", order_of(first),
-            order(comparison_of(campaign, results, again), 0));
-      }
-      if (comparison.part->instances > 1) {
-        add(group, "the other half of the instances", order(half(comparison, 0), last),
-            order(half(comparison, 1), last));
-      }
-      if (last > 0) add(group, "more evaluations", order_of(first), order_of(most));
-      if (rated.part->drawn) {
-        const auto drawn = order_on_drawn(campaign, results, *rated.part->drawn,
-                                          campaign.family_of(group.problems.front()));
-        if (drawn) add(group, "machines drawn around the cases", order_of(most), *drawn);
-      }
-      std::set<std::string> formulations;
-      for (const Rating& rating : most) formulations.insert(rating.formulation);
-      for (auto a = formulations.begin(); a != formulations.end(); ++a) {
-        for (auto b = std::next(a); b != formulations.end(); ++b) {
-          add(group, *a + " or " + *b, order_in(most, *a), order_in(most, *b));
-        }
+    const Group& group = rated.groups[g];
+    const std::vector<Rating>& first = rated.ratings[g].front();
+    const std::vector<Rating>& most = rated.most(g);
+    const auto order = [&](const Comparison& compared, std::size_t budget) {
+      return order_of(rate(compared, group.problems, budget));
+    };
+    if (rated.part->repetition) {
+      Conditions again = rated.part->usual;
+      again.part = *rated.part->repetition;
+      again.run = 1;
+      add(group, "other seeds", order_of(first), order(comparison_of(campaign, results, again), 0));
+    }
+    if (comparison.part->instances > 1) {
+      add(group, "the other half of the instances", order(half(comparison, 0), last),
+          order(half(comparison, 1), last));
+    }
+    if (last > 0) add(group, "more evaluations", order_of(first), order_of(most));
+    if (rated.part->drawn) {
+      const auto drawn = order_on_drawn(campaign, results, *rated.part->drawn,
+                                        campaign.family_of(group.problems.front()));
+      if (drawn) add(group, "machines drawn around the cases", order_of(most), *drawn);
+    }
+    std::set<std::string> formulations;
+    for (const Rating& rating : most) formulations.insert(rating.formulation);
+    for (auto a = formulations.begin(); a != formulations.end(); ++a) {
+      for (auto b = std::next(a); b != formulations.end(); ++b) {
+        add(group, *a + " or " + *b, order_in(most, *a), order_in(most, *b));
       }
     }
-  }
+  });
+  return table;
+}
+
+Table summary_of(const Table& orders, std::string name, const std::vector<std::string>& by) {
+  const auto times_true = [](const std::vector<Value>& values) {
+    return value_of(std::ranges::count(values, Value(true)));
+  };
+  const Table compared =
+      where(orders, [](const Row& row) { return !is_missing(row["correlation"]); });
+  Table table = aggregated(compared, by,
+                           {{{"compared"}, "", count_of},
+                            {{"stays", "the first stays first"}, "same", times_true},
+                            {{"median", "correlation, median", ".2f", 3}, "correlation", median_of},
+                            {{"least", "correlation, least", ".2f", 3}, "correlation", least_of}});
+  table.name = std::move(name);
   return table;
 }
 
@@ -154,19 +167,18 @@ Table held_out_table(const std::vector<RatedPart>& parts) {
                {"lower", "", ".2f", 3},
                {"upper", "", ".2f", 3},
                {"first_stays", "first stays first [%]", ".0%", 3}}};
-  for (const RatedPart& part : parts) {
-    for (const Group& group : part.groups) {
-      const RankedEntries ranked =
-          ranked_entries(part.comparison, group.problems, part.comparison.part->budgets.size() - 1);
-      const auto order = held_out_order(ranked.problems, ranked.names.size(),
-                                        seed_of("held out", group.family, 0, 0));
-      table.add(group.family, group.problems.size(), ranked.names.size(),
-                value_of(order, &HeldOutOrder::correlation),
-                value_of(order, [](const HeldOutOrder& o) { return o.interval.lower; }),
-                value_of(order, [](const HeldOutOrder& o) { return o.interval.upper; }),
-                value_of(order, &HeldOutOrder::first_stays));
-    }
-  }
+  each_group(parts, [&](const RatedPart& part, std::size_t g) {
+    const Group& group = part.groups[g];
+    const RankedEntries ranked =
+        ranked_entries(part.comparison, group.problems, part.comparison.part->budgets.size() - 1);
+    const auto order = held_out_order(ranked.problems, ranked.names.size(),
+                                      seed_of("held out", group.family, 0, 0));
+    table.add(group.family, group.problems.size(), ranked.names.size(),
+              value_of(order, &HeldOutOrder::correlation),
+              value_of(order, [](const HeldOutOrder& o) { return o.interval.lower; }),
+              value_of(order, [](const HeldOutOrder& o) { return o.interval.upper; }),
+              value_of(order, &HeldOutOrder::first_stays));
+  });
   return table;
 }
 
@@ -205,51 +217,44 @@ const Rating* solves_most(const std::vector<Rating>& ratings) {
   return most;
 }
 
-std::string name_of(const Rating* rating) {
-  return rating != nullptr ? entry(rating->solver, rating->formulation) : "";
+std::string name_of(const Rating& rating) {
+  return entry(rating.solver, rating.formulation);
 }
 
 /// The median over the problems of a group; nothing without random search.
 std::optional<double> random_search_time(const Comparison& comparison, const Group& group) {
   std::vector<double> times;
   for (const std::size_t q : group.problems) {
-    if (const auto time = ricochet::studies::comparison::random_search_time(comparison, q))
-      times.push_back(*time);
+    if (const auto time = comparison::random_search_time(comparison, q)) times.push_back(*time);
   }
   return times.empty() ? std::optional<double>() : quantile(std::move(times), 0.5);
 }
 
-/// The runs of a problem with the largest budget.
-struct Tries {
-  std::size_t entries = 0, runs = 0, solved = 0;
-  double gap = std::numeric_limits<double>::infinity();
-};
+}  // namespace
 
 Tries tries_on(const Comparison& comparison, std::size_t problem) {
   Tries tries;
   for (const CellResult& result : comparison.results) {
-    if (result.cell->problem != problem ||
-        result.cell->cell.budget != comparison.part->budgets.back())
-      continue;
-    ++tries.entries;
-    tries.runs += result.outcomes.size();
+    if (result.cell->problem != problem || !comparison.has_largest_budget(result)) continue;
+    std::size_t solved = 0;
     for (const Outcome& outcome : result.outcomes) {
-      tries.solved += outcome.solved() ? 1 : 0;
+      solved += outcome.solved() ? 1 : 0;
       tries.gap = std::min(tries.gap, outcome.optimality_gap());
     }
+    ++tries.entries;
+    tries.runs += result.outcomes.size();
+    tries.solved += solved;
+    tries.solving += 2 * solved >= result.outcomes.size() ? 1 : 0;
   }
   return tries;
 }
-
-}  // namespace
 
 std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem) {
   std::optional<double> least;
   for (const CellResult& result : comparison.results) {
     const PlannedCell& cell = *result.cell;
-    const bool largest = cell.cell.budget == comparison.part->budgets.back();
-    if (cell.problem != problem || cell.cell.solver != "random-search" || !largest ||
-        cell.formulation.smoothing > 0)
+    if (cell.problem != problem || cell.cell.solver != "random-search" ||
+        cell.formulation.smoothing > 0 || !comparison.has_largest_budget(result))
       continue;
     const auto time = result_of(result.outcomes).returned_running_time;
     const double value = time ? time->value : std::numeric_limits<double>::infinity();
@@ -266,6 +271,7 @@ Table leader_table(const std::vector<RatedPart>& parts) {
                {"first", "first by mean rank"},
                {"solver"},
                {"formulation"},
+               {"tuned"},
                {"returned", "success rate [%]", ".0%", 3},
                {"best", "P(best)", ".2f", 3},
                {"takes"},
@@ -273,46 +279,38 @@ Table leader_table(const std::vector<RatedPart>& parts) {
                {"ranked"},
                {"entries"},
                {"most", "solves most"},
-               {"evaluated", "first by best evaluated"},
                {"unsolved", "problems that nobody solved"},
                {"random", "evaluations of random search", ".2g", 3}}};
-  for (const RatedPart& part : parts) {
+  each_group(parts, [&](const RatedPart& part, std::size_t g) {
+    const Group& group = part.groups[g];
     const std::vector<std::int64_t>& budgets = part.comparison.part->budgets;
-    for (std::size_t g = 0; g < part.groups.size(); ++g) {
-      const Group& group = part.groups[g];
-      const auto random = random_search_time(part.comparison, group);
-      const bool easy = random && *random <= easy_for_random_search;
-      const auto unsolved = std::ranges::count_if(
-          group.problems, [&](std::size_t q) { return tries_on(part.comparison, q).solved == 0; });
-      for (std::size_t b = 0; b < budgets.size(); ++b) {
-        const auto& [by_returned, by_evaluated] = part.ratings[g][b];
-        const Rating* first = easy ? nullptr : leader_of(by_returned);
-        const Rating* other = easy ? nullptr : leader_of(by_evaluated, Criterion::evaluated);
-        const Rating* most = easy ? nullptr : solves_most(by_returned);
-        std::optional<std::string> solves, evaluated;
-        if (most != nullptr && name_of(most) != name_of(first) &&
-            (first == nullptr || most->returned > first->returned)) {
-          solves = fmt::format("{}: {:.0f} %", name_of(most), 100 * most->returned);
-        }
-        if (other != nullptr && name_of(other) != name_of(first)) {
-          evaluated = fmt::format("{}: {:.0f} %{}", name_of(other), 100 * other->found,
-                                  other->surrogate ? " (unknown to the solver)" : "");
-        }
-        const std::string none =
-            easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
-                 : "none (the least mean rank solved no run)";
-        const bool is_largest = b + 1 == budgets.size();
-        table.add(
-            group.family, budgets[b], is_largest, first ? name_of(first) : none,
-            value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
-            value_of(first, &Rating::returned), value_of(first, &Rating::probability_of_being_best),
-            value_of(first, &Rating::problems), group.problems.size(),
-            std::ranges::count_if(by_returned, [](const Rating& r) { return r.rank.has_value(); }),
-            by_returned.size(), solves, evaluated, is_largest ? value_of(unsolved) : Value(),
-            random);
-      }
+    const auto random = random_search_time(part.comparison, group);
+    const bool easy = random && *random <= easy_for_random_search;
+    const auto unsolved = std::ranges::count_if(
+        group.problems, [&](std::size_t q) { return tries_on(part.comparison, q).solved == 0; });
+    for (std::size_t b = 0; b < budgets.size(); ++b) {
+      const std::vector<Rating>& ratings = part.ratings[g][b];
+      const Rating* first = easy ? nullptr : leader_of(ratings);
+      const Rating* most = easy ? nullptr : solves_most(ratings);
+      if (first != nullptr && most->returned <= first->returned) most = nullptr;
+      const bool is_largest = b + 1 == budgets.size();
+      table.add(group.family, budgets[b], is_largest,
+                first  ? name_of(*first)
+                : easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
+                       : "none (the least mean rank solved no run)",
+                value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
+                first ? tuned_mark(first->solver) : "", value_of(first, &Rating::returned),
+                value_of(first, &Rating::probability_of_being_best),
+                value_of(first, &Rating::problems), group.problems.size(),
+                std::ranges::count_if(ratings, [](const Rating& r) { return r.rank.has_value(); }),
+                ratings.size(),
+                value_of(most,
+                         [](const Rating& r) {
+                           return fmt::format("{}: {:.0f} %", name_of(r), 100 * r.returned);
+                         }),
+                is_largest ? value_of(unsolved) : Value(), random);
     }
-  }
+  });
   return table;
 }
 
@@ -324,58 +322,40 @@ Table unsolved_table(const std::vector<RatedPart>& parts) {
                {"entries"},
                {"runs"},
                {"gap", "least gap [tolerances]", ".3g", 3}}};
-  for (const RatedPart& part : parts) {
-    for (const Group& group : part.groups) {
-      for (const std::size_t q : group.problems) {
-        const Tries tries = tries_on(part.comparison, q);
-        if (tries.solved > 0) continue;
-        const Problem& problem = part.comparison.campaign->problems()[q];
-        table.add(group.family, problem.name, problem.dimension(), tries.entries, tries.runs,
-                  tries.gap / std::max(problem.tolerance, 1e-12));
-      }
+  each_group(parts, [&](const RatedPart& part, std::size_t g) {
+    for (const std::size_t q : part.groups[g].problems) {
+      const Tries tries = tries_on(part.comparison, q);
+      if (tries.solved > 0) continue;
+      const Problem& problem = part.comparison.campaign->problems()[q];
+      table.add(part.groups[g].family, problem.name, problem.dimension(), tries.entries, tries.runs,
+                tries.gap / std::max(problem.tolerance, 1e-12));
     }
-  }
+  });
   return table;
 }
 
-namespace {
-
-struct Beaten {
-  int runs = 0;
-  double gap = 0;  // of the best run
-  const Cell* cell = nullptr;
-};
-
-}  // namespace
-
 Table beaten_table(const Campaign& campaign, const std::vector<CellResult>& results) {
-  std::map<std::size_t, Beaten> beaten;
+  Table runs{"beaten",
+             {{"problem"},
+              {"best_known", "best known", ".10g", 17},
+              {"gap", "below", ".3g"},
+              {"tolerance", "", ".3g"},
+              {"entry", "best run"}}};
   for (const CellResult& result : results) {
-    const std::size_t number = result.cell->problem;
+    const Problem& problem = campaign.problems()[result.cell->problem];
+    const Cell& cell = result.cell->cell;
     for (const Outcome& outcome : result.outcomes) {
       const double gap = outcome.verdict.optimality_gap.value_or(0);
-      if (gap >= -campaign.problems()[number].tolerance) continue;
-      Beaten& there = beaten[number];
-      ++there.runs;
-      if (gap < there.gap) {
-        there.gap = gap;
-        there.cell = &result.cell->cell;
-      }
+      if (gap >= -problem.tolerance) continue;
+      runs.add(problem.name, problem.best_known, gap, problem.tolerance,
+               entry(cell.solver, cell.formulation));
     }
   }
-  Table table{"beaten",
-              {{"problem"},
-               {"best_known", "best known", ".10g", 17},
-               {"gap", "below", ".3g"},
-               {"tolerance", "", ".3g"},
-               {"runs"},
-               {"entry", "best run"}}};
-  for (const auto& [number, there] : beaten) {
-    const Problem& problem = campaign.problems()[number];
-    table.add(problem.name, problem.best_known.value(), there.gap, problem.tolerance, there.runs,
-              entry(there.cell->solver, there.cell->formulation));
-  }
-  return table;
+  runs = sorted(std::move(runs), {"gap"});
+  const Table times = aggregated(runs, {"problem"}, {{{"runs"}, "", count_of}});
+  Table best = joined(times, runs, {"problem"});
+  best.name = "beaten";
+  return sorted(std::move(best), {"problem"});
 }
 
 std::vector<MissingSolver> lacking(const Plan& plan, const std::vector<MissingSolver>& missing) {

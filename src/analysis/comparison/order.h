@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,14 +48,23 @@ std::optional<Agreement> agreement_of(const Order& a, const Order& b);
 /// [evaluations]; infinite if it never solved it, nothing if it was not run there.
 std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem);
 
+/// The runs of a problem with the largest budget, by the returned points.
+struct Tries {
+  std::size_t entries = 0, runs = 0;
+  std::size_t solved = 0;   ///< runs
+  std::size_t solving = 0;  ///< entries that solve it in at least half of their runs
+  double gap = std::numeric_limits<double>::infinity();  ///< the least
+};
+Tries tries_on(const Comparison& comparison, std::size_t problem);
+
 /// A row for each family with each budget. `first` is who is first by mean rank, by the rule that
 /// holds everywhere: the entry with the least mean rank by the returned points; none if it solved
 /// none of its runs; none named if random search solves the problems within 20 evaluations (median
 /// of its expected running times, `random`), so wherever 5 % of the box solve the problem. `most`
-/// is the entry that solves most runs, with its success rate, if it is another. Further columns:
-/// budget, largest, solver, formulation, returned (success rate), best (P(best)), takes, problems,
-/// ranked, entries, evaluated (who would be first by the best evaluated points, if another),
-/// unsolved (problems that no entry solved in any run).
+/// is the entry that solves most runs, with its success rate, if that solves more than the first.
+/// Further columns: budget, largest, solver, formulation, tuned (see tuned_mark()), returned
+/// (success rate), best (P(best)), takes, problems, ranked, entries, unsolved (problems that no
+/// entry solved in any run).
 Table leader_table(const std::vector<RatedPart>& parts);
 
 /// The problems that no entry solved in any run with the largest budget: family, problem,
@@ -67,6 +77,11 @@ Table unsolved_table(const std::vector<RatedPart>& parts);
 /// for it.
 Table order_table(const std::vector<CellResult>& results, const std::vector<RatedPart>& parts);
 
+/// Of a table of orders or changes, for each group of rows with equal values in these columns: how
+/// many orders were compared, in how many the first stays first, and the median and the least
+/// correlation.
+Table summary_of(const Table& orders, std::string name, const std::vector<std::string>& by);
+
 /// Does the order hold on problems held out? For every group, with the largest budget: how well the
 /// order of the ranked entries on half of the problems predicts that on the other half. Without a
 /// correlation for a group with too few problems or entries.
@@ -75,11 +90,13 @@ Table held_out_table(const std::vector<RatedPart>& parts);
 /// For each part and family: which entry is first, with the largest budget and without
 /// perturbations, and how well the order of the entries agrees with that of the first setting:
 /// - for each price of a gradient, if a part has several;
-/// - for the surrogate of each smoothing parameter, the default one first;
-/// - on the machines of each level of a factor that varies from machine to machine, such as the
-///   fidelity of the simulation, the lowest level first.
+/// - for the surrogate of each smoothing parameter, the default one first.
 Table change_table(const Campaign& campaign, const std::vector<CellResult>& results,
-                   const std::vector<ReportedPart>& parts);
+                   const std::vector<RatedPart>& parts);
+
+/// The same for the machines of each level of a factor that varies from machine to machine, such as
+/// the fidelity of the simulation, the lowest level first.
+Table level_table(const Comparison& comparison, const Group& group);
 
 /// The families of a campaign with complete runs, by name, as its report names and ranks them.
 std::vector<RatedFamily> rated_families(const Campaign& campaign,

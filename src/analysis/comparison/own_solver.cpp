@@ -157,33 +157,6 @@ void add_rows(Table& table, const std::map<std::string, Shares>& entries) {
   }
 }
 
-report::Chart chart_of(const Table& table) {
-  report::Chart chart{.name = "relocated-optima",
-                      .x = {"entry"},
-                      .y = {"solved [%]", report::Scale::linear, report::Range{0, 100}},
-                      .width = 760,
-                      .height = 420};
-  std::vector<std::string> biased;
-  each_row(table, [&](const Row& row) {
-    chart.x.categories.push_back(row.text("entry"));
-    if (row.is("biased")) biased.push_back(row.text("entry"));
-  });
-  for (const char* place : places) {
-    report::Series& series = chart.series.emplace_back(
-        report::Series{std::string(place) == "middle" ? place : fmt::format("{} end", place),
-                       report::Mark::points,
-                       {}});
-    each_row(table, [&](const Row& row) {
-      series.samples.push_back(
-          {static_cast<double>(series.samples.size()), 100 * row.number(place)});
-    });
-  }
-  chart.title = biased.empty()
-                    ? "No entry is biased to a place in the box"
-                    : fmt::format("Biased to a place in the box: {}", fmt::join(biased, "; "));
-  return chart;
-}
-
 }  // namespace
 
 void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult>& results,
@@ -216,7 +189,6 @@ void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult
   }
   page.set("relocated",
            parts.empty() ? Value() : value_of(fmt::format("{}", fmt::join(parts, ", "))));
-  if (!table.rows.empty()) page.add(chart_of(table));
   page.add(std::move(table));
 }
 

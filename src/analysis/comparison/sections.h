@@ -18,10 +18,9 @@ namespace ricochet::studies::comparison {
 using namespace ricochet::comparison;
 
 /// Adds which solver is ahead at which cost of a simulation, with a gradient that is free, at its
-/// measured price and at n evaluations: table "break-even" with the ranges of cost, chart
-/// "break-even" with the curves of every entry that is ahead somewhere, and the value "here", the
-/// cost of a simulation as it is [s]. The runs are those at the price n; only their requests are
-/// priced differently.
+/// measured price and at n evaluations: table "break-even" with the ranges of cost, and the
+/// value "here", the cost of a simulation as it is [s]. The runs are those at the price n; only
+/// their requests are priced differently.
 void add_break_even(const Campaign& campaign, const EntrySet& set, report::Results& page);
 
 /// Speed against accuracy: a row for each solver, in its best formulation, for each family and
@@ -35,12 +34,9 @@ void add_break_even(const Campaign& campaign, const EntrySet& set, report::Resul
 ///    seconds       of processor time, the same mean
 ///    share, lower, upper   of runs that solved, mean over problems; the interval is over problems,
 ///                  or over the runs that differ if there is one problem
-///    optimality_gap, optimality_gap_lower, optimality_gap_upper   median of the problems' medians,
-///                  in the problem's unit; missing if infinite; the interval also with fewer than 6
-///                  problems, or than 6 runs of one problem
 ///    on_front, on_time_front   no complete one is better in evaluations (seconds) and share
 ///
-/// Rows of the family "all", whose budget and optimality gap are missing, join the families of
+/// Rows of the family "all", whose budget is missing, join the families of
 /// which at least half of all solvers take all problems, with the largest budgets.
 Table speed_accuracy_table(const Campaign& campaign, const std::vector<EntrySet>& sets);
 
@@ -48,12 +44,12 @@ Table speed_accuracy_table(const Campaign& campaign, const std::vector<EntrySet>
 /// budget, of which there must be one, with the Pareto front.
 report::Chart speed_accuracy_chart(const Table& of_family, bool by_time);
 
-/// The best of each kind of solvers on one family and budget, the best kind first, and the paper's
-/// algorithm: kind, solvers (of the kind), best, and its success rate with the interval.
+/// Of each kind of solvers on one family and budget the one that solves most, the best kind first:
+/// kind, solvers (of the kind), best, and its success rate with the interval.
 Table kind_table(const Table& of_family);
 
-/// Whether the paper's algorithm is better than random search there, by their intervals; nothing if
-/// one of them does not take all problems.
+/// Whether the paper's algorithm is better than random search there, by their intervals, and which
+/// of its variants solves most; nothing if one of them does not take all problems.
 std::optional<std::string> paper_algorithm_sentence(const Table& of_family);
 
 /// How many solvers are on the front, and how many more are statistically tied with its most
@@ -65,10 +61,23 @@ std::string front_sentence(const Table& of_family);
 /// as the perturbation. Table "perturbations", a row for each: means over solvers with and without
 /// it, the number of solvers that it harms significantly, the most harmed one, and the one that
 /// solves most under it; table "perturbation-rates" and chart "perturbations": the success rates;
-/// and the failure atlas, see add_atlas(). Returns false, with nothing added, if the campaign has
-/// no perturbation but "plain".
+/// table "outcomes": how the runs ended, see kind_of_end(). Returns false, with nothing added, if
+/// the campaign has no perturbation but "plain".
 bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& results,
                        report::Results& page);
+
+/// Leaves out the results of hazardous problems, and the parts of the plan that have no other,
+/// unless there are no others: they have a section of their own, and no share in rankings.
+void set_pathological_apart(const Campaign& campaign, std::vector<CellResult>& results,
+                            std::vector<ReportedPart>& parts);
+
+/// Adds how runs on hazardous problems ended, with the largest budget and without perturbations:
+/// solved, spent (the budget), ended (before), threw, killed or crashed. Table "pathological": a
+/// row for each problem with the number of runs of each ending, and of those that evaluated a point
+/// that solves it (found); "pathological-solvers": a row for each solver; the value
+/// "pathological-runs": all of them in a sentence. Returns false if there are no such runs.
+bool add_pathological(const Campaign& campaign, const std::vector<CellResult>& results,
+                      report::Results& page);
 
 /// Adds how the user's solvers did beside the others: table "own-solvers", a row for each of them
 /// and each family with its largest budget: the success rate of its entry, with its interval, the
@@ -80,55 +89,18 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
 void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets,
                      const std::vector<Solver>& suite, report::Results& page);
 
-/// Adds the bias of entries towards the ends or the middle of the box: table and chart
-/// "relocated-optima", the share of runs that each solves of the relocated-optimum variants with
+/// Adds the bias of entries towards the ends or the middle of the box: table "relocated-optima",
+/// the share of runs that each solves of the relocated-optimum variants with
 /// the best point at the lower end, in the middle and at the upper end, for every part of the plan
 /// that relocates the optimum; the value "relocated" says what the problems are.
 void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult>& results,
                           report::Results& page);
 
-/// The result of an entry on one problem, mean over its runs.
-struct MachineResult {
-  const Problem* problem;
-  double solved = 0;    ///< share
-  double cost = 0;      ///< log10 of the evaluations until solved, or of all
-  double accuracy = 0;  ///< share of the problem's targets reached
-};
-
-/// The results of entries, by solver and formulation, on the problems of a family.
-using ByEntry = std::map<std::pair<std::string, std::string>, std::vector<MachineResult>>;
-
-/// Returns, by family, the results of each entry on those problems of a part that vary the machine.
-std::map<std::string, ByEntry> machine_results(const Campaign& campaign,
-                                               const std::vector<CellResult>& results,
-                                               const ReportedPart& part);
-
-/// Adds, for a family that is posed on a grid of machines, maps over their factors: the first
-/// factor has a column for each level, the others a row for each combination. Charts "known" (the
-/// best known values), "solved" (the share solved by its best entry, unless that is all),
-/// "landscape" (the true objective of problems of one variable without constraints, a row for each
-/// machine).
-void add_machine_maps(const std::string& family, const ByEntry& entries, report::Results& page);
-
-/// Adds the effects of restitution, friction, disturbance and fidelity on solvers, for a family
-/// whose machines differ in them, with the largest budget and without perturbations: table
-/// "effects", the significant main effects and interactions of two on the share solved, the cost
-/// (log10 of the evaluations to solve, or spent) and the accuracy (share of targets reached), of
-/// the five best entries by share solved, where the machine is the unit of the intervals; the value
-/// "unsure", how many are not significant; chart "effects", all main effects on the share solved;
-/// table "levels", the entry that solves most at each level of each factor.
-void add_effects(const std::string& family, const ByEntry& entries, report::Results& page);
-
-/// Returns the factors of a family's machines that have several levels, with their levels. It is
-/// empty if there are no more machines than such factors: their effects could not be separated.
-std::map<std::string, std::vector<double>> factors_of(const ByEntry& entries);
-
-double mean_solved(const std::vector<MachineResult>& results);
-
-/// The entries of a family, most solved first.
-std::vector<const ByEntry::value_type*> best_first(const ByEntry& entries);
-
-std::string name_of(const ByEntry::value_type& entry);
+/// The page of the families on a grid of machines, or of fidelities: parts "families", one for each
+/// that differs in some factor, with chart "known", the best known values over the factors, chart
+/// "landscape", the true objective of problems of one variable without constraints, a row for each
+/// machine, and table "levels", who is first at each level of a factor.
+report::Results machines_page(const std::vector<RatedPart>& parts);
 
 /// Returns the name of a factor's level: a number, or the name of a fidelity.
 std::string level_name(const std::string& factor, double level);

@@ -5,11 +5,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "embedded/solvers.h"
 #include "src/analysis/results.h"
@@ -19,96 +20,44 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-/// A page lists at most so many families in which its solver is behind.
-constexpr std::size_t shown_families = 3;
+constexpr std::size_t shown_failures = 3;  // families
+constexpr std::size_t shown_reasons = 3;
 
 std::optional<std::string> text_if_any(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// The most that any solver solved on a problem, in its best formulation for the family.
-struct Best {
-  std::string solver;
-  double share = 0;
-};
-
-/// The best on each problem, by set and problem.
-using BestOn = std::map<std::pair<const EntrySet*, std::size_t>, Best>;
-
-BestOn best_on(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  BestOn best;
-  for (const EntrySet& set : sets) {
-    if (!set.largest) continue;
-    each_entry(set, [&](const Entry& entry) {
+/// One solver on one problem, in its best formulation for the family: set, family, problem, solver,
+/// share solved, running_time (ERT for each variable).
+Table attempts_of(const Campaign& campaign, const std::vector<EntrySet>& sets) {
+  Table attempts{"attempts",
+                 {{"set"}, {"family"}, {"problem"}, {"solver"}, {"share"}, {"running_time"}}};
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    if (!sets[s].largest) continue;
+    each_entry(sets[s], [&](const Entry& entry) {
       for (const CellResult* result : entry.results) {
-        Best& there = best[{&set, result->cell->problem}];
-        const double share = on_problem(campaign, *result).share;
-        if (there.solver.empty() || share > there.share) there = {entry.solver, share};
+        const Problem& problem = campaign.problems()[result->cell->problem];
+        const auto time = result_of(result->outcomes).returned_running_time;
+        attempts.add(s, sets[s].family, problem.name, entry.solver,
+                     on_problem(campaign, *result).share, value_of(time, [&](const Estimate& e) {
+                       return e.value / static_cast<double>(problem.dimension());
+                     }));
       }
     });
   }
-  return best;
+  return attempts;
 }
 
-/// One problem, as one solver did on it.
-struct Attempt {
-  const EntrySet* set;
-  const Entry* entry;
-  const CellResult* result;
-  OnProblem own;
-  const Best* best;
-
-  double behind() const { return best->share - own.share; }
-};
-
-/// The problem of a family on which the solver is furthest behind the best, and on how many it is.
-struct Failure {
-  Attempt worst;
-  int behind = 0;
-};
-
-/// The families with a problem on which another solver solved more, the worst first.
-Table failed_table(const Campaign& campaign, const std::vector<Attempt>& attempts) {
-  std::map<const EntrySet*, Failure> by_family;
-  for (const Attempt& attempt : attempts) {
-    if (attempt.behind() <= 0) continue;
-    Failure& failure = by_family.try_emplace(attempt.set, Failure{attempt}).first->second;
-    ++failure.behind;
-    if (attempt.behind() > failure.worst.behind()) failure.worst = attempt;
-  }
-  std::vector<Failure> order;
-  for (const auto& [set, failure] : by_family) order.push_back(failure);
-  std::ranges::sort(order, [](const Failure& a, const Failure& b) {
-    return std::pair(b.worst.behind(), a.worst.set->family) <
-           std::pair(a.worst.behind(), b.worst.set->family);
-  });
-  order.resize(std::min(order.size(), shown_families));
-  Table table{"failed",
-              {{"family"},
-               {"behind", "behind on"},
-               {"of"},
-               {"problem", "worst problem"},
-               {"share", "success rate [%]", ".0%", 3},
-               {"best", "best solver"},
-               {"best_share", "its success rate [%]", ".0%", 3}}};
-  for (const Failure& failure : order) {
-    const Attempt& worst = failure.worst;
-    table.add(worst.set->family, failure.behind, worst.entry->results.size(),
-              campaign.problems()[worst.result->cell->problem].name, worst.own.share,
-              worst.best->solver, worst.best->share);
-  }
-  return table;
+/// mean_cost() of the numbers; missing without any.
+Value mean_cost_of(const std::vector<Value>& values) {
+  std::vector<double> costs;
+  for (const Value& value : values)
+    if (const auto cost = number_in(value)) costs.push_back(*cost);
+  return costs.empty() ? Value() : value_of(mean_cost(costs));
 }
 
-/// ERT for each variable of the problems that at least one run solved.
-std::vector<double> running_times_of(const Campaign& campaign, const Entry& entry) {
-  std::vector<double> times;
-  for (const CellResult* result : entry.results) {
-    const auto time = result_of(result->outcomes).returned_running_time;
-    const auto n = static_cast<double>(campaign.problems()[result->cell->problem].dimension());
-    if (time) times.push_back(time->value / n);
-  }
-  return times;
+Value count_of_present(const std::vector<Value>& values) {
+  return std::ranges::count_if(values, [](const Value& value) { return !is_missing(value); });
 }
 
 /// The entry that dominates the row: of those at most as dear and at least as accurate, the most
@@ -129,25 +78,46 @@ std::optional<Row> ahead_of(const Row& row, const Table& speed_accuracy) {
 /// How the row stands to its family's Pareto front: on it, or who is ahead.
 std::string standing_of(const Row& row, const Table& speed_accuracy) {
   if (!row.is("complete")) return "not compared";
-  const bool by_time = row.is("on_time_front");
-  if (row.is("on_front")) return by_time ? "on the front, also by time" : "on the front";
-  if (by_time) return "on the front by time";
+  if (row.is("on_front")) return "on the front";
   const auto ahead = ahead_of(row, speed_accuracy);
   return ahead ? fmt::format("{} {:.0f} %", ahead->text("solver"), 100 * ahead->number("share"))
-               : "";
+               : "on the front by time";
 }
 
-void add_family_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& entry,
-                    const Table& speed_accuracy) {
-  const auto row = speed_accuracy.find([&](const Row& other) {
-    return other["solver"] == value_of(entry.solver) && other["family"] == value_of(set.family) &&
-           other["part"] == value_of(set.part + 1) && other["budget"] == value_of(set.budget);
+/// The solver's rows of the families: those on whose front it is, then those in which it is
+/// furthest behind the one that solves most. `attempts` are its own.
+Table family_table(const std::string& solver, const std::vector<EntrySet>& sets,
+                   const Table& attempts, const Table& speed_accuracy) {
+  Table table{"families",
+              {{"family"},
+               {"formulation"},
+               {"takes"},
+               {"problems"},
+               {"share", "success rate [%]", ".0%", 3},
+               {"lower", "", ".0%", 3},
+               {"upper", "", ".0%", 3},
+               {"solved"},
+               {"running_time", "ERT [evaluations a variable]", ".3g", 3},
+               {"front", "Pareto front, or who is ahead"},
+               {"on_front"},
+               {"behind", "", ".2f", 3}}};
+  const Table solved = aggregated(attempts, {"set"},
+                                  {{{"solved"}, "running_time", count_of_present},
+                                   {{"running_time"}, "running_time", mean_cost_of}});
+  each_row(solved, [&](const Row& own) {
+    const EntrySet& set = sets[static_cast<std::size_t>(own.number("set"))];
+    const Table rows = where(speed_accuracy, [&](const Row& row) {
+      return row["family"] == value_of(set.family) && row["part"] == value_of(set.part + 1) &&
+             row["budget"] == value_of(set.budget);
+    });
+    const Row row = *rows.find([&](const Row& one) { return one.text("solver") == solver; });
+    double most = 0;
+    each_row(rows, [&](const Row& one) { most = std::max(most, one.number("share")); });
+    table.add(set.family, row["formulation"], row["problems"], set.problems.size(), row["share"],
+              row["lower"], row["upper"], own["solved"], own["running_time"],
+              standing_of(row, speed_accuracy), row["on_front"], most - row.number("share"));
   });
-  const std::vector<double> times = running_times_of(campaign, entry);
-  table.add(set.family, entry.formulation, entry.results.size(), set.problems.size(),
-            (*row)["share"], (*row)["lower"], (*row)["upper"], times.size(),
-            times.empty() ? Value() : value_of(mean_cost(times)),
-            standing_of(*row, speed_accuracy));
+  return sorted(std::move(table), {"-on_front", "-behind"});
 }
 
 /// How the solver did on the families that are joined; nothing if it does not take all of them.
@@ -157,18 +127,37 @@ std::optional<std::string> joint_sentence(const std::string& solver, const Table
   });
   if (!row) return {};
   const auto ahead = ahead_of(*row, speed_accuracy);
-  return fmt::format(
-      "The families that most solvers take, together ({} problems): success rate {:.0f} %, with "
-      "{:.3g} evaluations a variable{}{}.",
-      row->number("problems"), 100 * row->number("share"), row->number("evaluations"),
-      row->is("on_front") ? "; on the Pareto front" : "",
-      ahead ? fmt::format("; {} is cheaper and solves {:.0f} %", ahead->text("solver"),
-                          100 * ahead->number("share"))
-            : "");
+  return fmt::format("On the {} problems that most solvers take it solves {:.0f} %{}{}.",
+                     row->number("problems"), 100 * row->number("share"),
+                     row->is("on_front") ? ", and is on the Pareto front" : "",
+                     ahead ? fmt::format("; {} is cheaper and solves {:.0f} %",
+                                         ahead->text("solver"), 100 * ahead->number("share"))
+                           : "");
 }
 
-/// The termination reasons of all starts by solver, the most frequent first.
-std::map<std::string, Table> terminations_of(const std::vector<CellResult>& results) {
+/// The problem of each family on which another solver solved most more than this one, at most
+/// three families, the worst first; nothing if none did.
+std::optional<std::string> failure_sentence(const Table& attempts) {
+  const Table gaps = sorted(
+      with(attempts, {"gap"},
+           [](const Row& row) { return value_of(row.number("best_share") - row.number("share")); }),
+      {"-gap", "family"});
+  std::vector<std::string> worst;
+  std::set<std::string> families;
+  each_row(gaps, [&](const Row& row) {
+    if (row.number("gap") <= 0 || worst.size() == shown_failures ||
+        !families.insert(row.text("family")).second)
+      return;
+    worst.push_back(fmt::format("{} ({:.0f} %; {} {:.0f} %)", row.text("problem"),
+                                100 * row.number("share"), row.text("best"),
+                                100 * row.number("best_share")));
+  });
+  if (worst.empty()) return {};
+  return fmt::format("It is furthest behind on {}.", fmt::join(worst, ", "));
+}
+
+/// The termination reasons of all starts: solver, reason, times, share; the most frequent first.
+Table terminations_of(const std::vector<CellResult>& results) {
   std::map<std::string, std::map<std::string, int>> times;
   for (const CellResult& result : results) {
     auto& mine = times[result.cell->cell.solver];
@@ -177,27 +166,24 @@ std::map<std::string, Table> terminations_of(const std::vector<CellResult>& resu
       if (!outcome.failure.empty()) ++mine["failed: " + outcome.failure];
     }
   }
-  std::map<std::string, Table> all;
+  Table table{"terminations",
+              {{"solver"}, {"reason"}, {"times", "starts"}, {"share", "share [%]", ".1%", 3}}};
   for (const auto& [solver, reasons] : times) {
     double sum = 0;
     for (const auto& [reason, count] : reasons) sum += count;
-    Table table{"terminations",
-                {{"reason"}, {"times", "starts"}, {"share", "share [%]", ".1%", 3}}};
-    for (const auto& [reason, count] : reasons) table.add(reason, count, count / sum);
-    all[solver] = sorted(std::move(table), {"-times"});
+    for (const auto& [reason, count] : reasons) table.add(solver, reason, count, count / sum);
   }
-  return all;
+  return sorted(std::move(table), {"solver", "-times"});
 }
 
-/// The families on whose Pareto front of evaluations and accuracy a solver is.
-std::string fronts_of(const std::string& solver, const Table& speed_accuracy) {
-  std::vector<std::string> names;
-  each_row(speed_accuracy, [&](const Row& row) {
-    const bool joint = is_missing(row["budget"]);
-    if (row.text("solver") == solver && row.is("largest") && !joint && row.is("on_front"))
-      names.push_back(row.text("family"));
+/// "converged 81 %, stopped by the evaluator 19 %": the most frequent reasons.
+std::string ends_of(const Table& terminations) {
+  std::vector<std::string> ends;
+  each_row(terminations, [&](const Row& row) {
+    if (ends.size() < shown_reasons)
+      ends.push_back(fmt::format("{} {:.3g} %", row.text("reason"), 100 * row.number("share")));
   });
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(ends, "; "));
 }
 
 std::optional<std::string> settings_sentence(const std::string& solver) {
@@ -208,59 +194,11 @@ std::optional<std::string> settings_sentence(const std::string& solver) {
                      settings->note.empty() ? "" : " Note: " + settings->note + ".");
 }
 
-/// The part of one solver on the page, and its row in the table of all.
-void add_solver(report::Results& page, Table& all, const Campaign& campaign, const Solver& solver,
-                const std::vector<EntrySet>& sets, const Table& speed_accuracy, const BestOn& best,
-                Table terminations) {
-  Table families{"families",
-                 {{"family"},
-                  {"formulation"},
-                  {"takes"},
-                  {"problems"},
-                  {"share", "success rate [%]", ".0%", 3},
-                  {"lower", "", ".0%", 3},
-                  {"upper", "", ".0%", 3},
-                  {"solved"},
-                  {"running_time", "ERT [evaluations a variable]", ".3g", 3},
-                  {"front", "Pareto front, or who is ahead"}}};
-  std::vector<Attempt> attempts;
-  for (const EntrySet& set : sets) {
-    if (!set.largest) continue;
-    each_entry(set, [&](const Entry& entry) {
-      if (entry.solver != solver.name) return;
-      add_family_row(families, campaign, set, entry, speed_accuracy);
-      for (const CellResult* result : entry.results) {
-        attempts.push_back({&set, &entry, result, on_problem(campaign, *result),
-                            &best.at({&set, result->cell->problem})});
-      }
-    });
-  }
-  const auto solved =
-      std::ranges::count_if(attempts, [](const Attempt& a) { return a.own.share > 0; });
-  const auto solved_by_none =
-      std::ranges::count_if(attempts, [](const Attempt& a) { return a.best->share == 0; });
-  const std::string fronts = fronts_of(solver.name, speed_accuracy);
-  all.add(solver.name, kind_of(solver.name), solver.version, families.rows.size(), solved,
-          attempts.size(), fronts);
-  report::Part part{solver.name, solver.name, {}};
-  part.results.set("solver", solver.name);
-  part.results.set("version", solver.version);
-  part.results.set("note", text_if_any(library_note(solver.version)));
-  part.results.set("settings", settings_sentence(solver.name));
-  part.results.set("joint", joint_sentence(solver.name, speed_accuracy));
-  part.results.set(
-      "summary",
-      fmt::format("It solved {} of the {} problems that it takes, each in at least one run{}. {}.",
-                  solved, attempts.size(),
-                  static_cast<std::size_t>(solved) < attempts.size()
-                      ? fmt::format("; {} of the others no solver did", solved_by_none)
-                      : "",
-                  fronts.empty() ? "It is on no family's Pareto front of speed and accuracy"
-                                 : "It is on the Pareto front of speed and accuracy of " + fronts));
-  part.results.add(std::move(families));
-  part.results.add(failed_table(campaign, attempts));
-  part.results.add(std::move(terminations));
-  page.add("solvers", std::move(part));
+/// "top-speed, hs": the families of this column's values.
+std::string joined_names(const Table& table, const char* column) {
+  std::vector<std::string> names;
+  each_row(table, [&](const Row& row) { names.push_back(row.text(column)); });
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -278,9 +216,15 @@ Table library_notes(const std::vector<Solver>& solvers) {
 }
 
 report::Results solvers_page(const Campaign& campaign, const std::vector<CellResult>& results,
-                             const std::vector<EntrySet>& sets, const Table& speed_accuracy) {
-  const BestOn best = best_on(campaign, sets);
-  std::map<std::string, Table> terminations = terminations_of(results);
+                             const std::vector<EntrySet>& sets, const Table& speed_accuracy,
+                             const Table& leaders) {
+  const Table attempts = attempts_of(campaign, sets);
+  Table best = only(sorted(attempts, {"-share"}), {"set", "problem", "solver", "share"});
+  best.columns[2].name = "best";
+  best.columns[3].name = "best_share";
+  const Table compared = joined(attempts, best, {"set", "problem"});
+  const Table terminations = terminations_of(results);
+  const Table first = where(leaders, "largest", true);
   std::vector<const Solver*> solvers;
   for (const Solver& solver : campaign.solvers()) solvers.push_back(&solver);
   std::ranges::sort(solvers, {}, &Solver::name);
@@ -292,13 +236,37 @@ report::Results solvers_page(const Campaign& campaign, const std::vector<CellRes
              {"families"},
              {"solved"},
              {"problems"},
+             {"first", "first by mean rank on"},
              {"fronts", "on the Pareto front of"}}};
   for (const Solver* solver : solvers) {
-    Table ends = terminations.contains(solver->name) ? std::move(terminations.at(solver->name))
-                                                     : Table{"terminations"};
-    add_solver(page, all, campaign, *solver, sets, speed_accuracy, best, std::move(ends));
+    const std::string& name = solver->name;
+    const Table own = where(compared, "solver", name);
+    Table families = family_table(name, sets, own, speed_accuracy);
+    const auto solved =
+        where(own, [](const Row& row) { return row.number("share") > 0; }).rows.size();
+    const std::string fronts = joined_names(where(families, "on_front", true), "family");
+    const std::string firsts = joined_names(where(first, "solver", name), "family");
+    all.add(name, kind_of(name), solver->version, families.rows.size(), solved, own.rows.size(),
+            firsts, fronts);
+    report::Part part{name, name, {}};
+    part.results.set("solver", name);
+    part.results.set("version", solver->version + tuned_mark(name));
+    part.results.set("note", text_if_any(library_note(solver->version)));
+    part.results.set("settings", settings_sentence(name));
+    part.results.set("joint", joint_sentence(name, speed_accuracy));
+    part.results.set("failed", failure_sentence(own));
+    part.results.set("firsts", text_if_any(firsts));
+    part.results.set("ends", text_if_any(ends_of(where(terminations, "solver", name))));
+    part.results.set(
+        "summary",
+        fmt::format("It solved {} of the {} problems that it takes, each in at least one run.{}",
+                    solved, own.rows.size(),
+                    firsts.empty() ? "" : fmt::format(" It is first by mean rank on {}.", firsts)));
+    part.results.add(std::move(families));
+    page.add("solvers", std::move(part));
   }
   page.add(std::move(all));
+  page.add(terminations);
   page.add(library_notes(campaign.solvers()));
   return page;
 }
@@ -330,7 +298,13 @@ const toml::table* first_with(const char* list, const std::string& solver) {
 std::optional<SolverSettings> settings_of(const std::string& solver) {
   const toml::table* one = first_with("settings", solver);
   if (one == nullptr) return std::nullopt;
-  return SolverSettings{text(*one, "settings"), text(*one, "from"), text(*one, "note")};
+  return SolverSettings{text(*one, "settings"), text(*one, "from"), text(*one, "note"),
+                        (*one)["tuned"].value_or(false)};
+}
+
+std::string tuned_mark(const std::string& solver) {
+  const auto settings = settings_of(solver);
+  return settings && settings->tuned && !solver.ends_with("-tuned") ? " (tuned to this suite)" : "";
 }
 
 std::string kind_of(const std::string& solver) {

@@ -54,38 +54,29 @@ Table plan_table(const Campaign& campaign, const std::vector<RatedPart>& parts) 
 /// formulation: a column for each family, missing where it takes none of its problems; sorted by
 /// the number of families taken, then by the sum of the shares.
 Table solver_map(const Table& speed_accuracy, const Table& leaders) {
-  Table table{"map", {{"solver"}}};
-  each_row(where(leaders, "largest", true), [&](const Row& row) {
-    table.columns.push_back({row.text("family"), "", ".0%", 3});
+  const Table families = where(leaders, "largest", true);
+  const Table largest = where(speed_accuracy, [&](const Row& row) {
+    return row.is("largest") &&
+           families.find([&](const Row& family) { return family["family"] == row["family"]; });
   });
-  const Table largest = where(speed_accuracy, [](const Row& row) {
-    return !is_missing(row["budget"]) && row.is("largest");
-  });
-  std::map<std::string, std::vector<Value>> rows;
-  each_row(largest, [&](const Row& row) {
-    if (!table.has(row.text("family"))) return;
-    auto& mine = rows[row.text("solver")];
-    mine.resize(table.columns.size());
-    mine[0] = row.text("solver");
-    mine[table.index_of(row.text("family"))] = row["share"];
-  });
-  struct Ordered {
-    std::size_t taken = 0;
+  const auto sum_of = [](const std::vector<Value>& values) {
     double sum = 0;
-    std::vector<Value> row;
+    for (const Value& value : values) sum += number_in(value).value_or(0);
+    return value_of(sum);
   };
-  std::vector<Ordered> order;
-  for (auto& [solver, row] : rows) {
-    Ordered& one = order.emplace_back();
-    for (std::size_t k = 1; k < row.size(); ++k) {
-      one.taken += is_missing(row[k]) ? 0 : 1;
-      one.sum += number_in(row[k]).value_or(0);
-    }
-    one.row = std::move(row);
-  }
-  std::ranges::stable_sort(order, std::greater(),
-                           [](const Ordered& one) { return std::pair(one.taken, one.sum); });
-  for (Ordered& one : order) table.add_row(std::move(one.row));
+  Table table = only(sorted(aggregated(sorted(largest, {"solver"}), {"solver"},
+                                       {{{"taken"}, "", count_of}, {{"sum"}, "share", sum_of}}),
+                            {"-taken", "-sum"}),
+                     {"solver"});
+  table.name = "map";
+  each_row(families, [&](const Row& family) {
+    const Table own = where(largest, "family", family["family"]);
+    table = with(std::move(table), {family.text("family"), "", ".0%", 3}, [&](const Row& row) {
+      const auto share =
+          own.find([&](const Row& other) { return other["solver"] == row["solver"]; });
+      return share ? (*share)["share"] : Value();
+    });
+  });
   return table;
 }
 
@@ -120,24 +111,17 @@ Chart map_chart(const Table& map) {
   return chart;
 }
 
-/// The families that differ in restitution, friction, disturbance or fidelity, a part for each;
-/// none if the plan has no grid of machines.
-Results across_page(const Campaign& campaign, const std::vector<CellResult>& results,
-                    const std::vector<ReportedPart>& parts) {
-  Results page;
-  for (const ReportedPart& reported : parts) {
-    if (campaign.plan().parts[reported.part].machines.around.empty()) continue;
-    for (const auto& [family, entries] : machine_results(campaign, results, reported)) {
-      if (factors_of(entries).empty()) continue;
-      report::Part part{family, family, {}};
-      part.results.set("family", family);
-      add_effects(family, entries, part.results);
-      add_machine_maps(family, entries, part.results);
-      if (part.results.value("finding") == nullptr) part.results.set("finding", Value());
-      page.add("families", std::move(part));
-    }
-  }
-  return page;
+/// The names of the problems that nobody solved, a row for each family.
+Table by_family(const Table& unsolved) {
+  const auto names = [](const std::vector<Value>& values) {
+    std::string text;
+    for (const Value& value : values) text += (text.empty() ? "" : ", ") + text_of(value);
+    return value_of(text);
+  };
+  Table table = aggregated(unsolved, {"family"},
+                           {{{"number"}, "", count_of}, {{"names", "problems"}, "problem", names}});
+  table.name = "unsolved-names";
+  return table;
 }
 
 /// Speed against accuracy of all families together, or of each if none are joined.
@@ -151,13 +135,6 @@ void add_fronts(const Table& speed_accuracy, Results& page) {
     page.add(speed_accuracy_chart(joint, false));
     page.add(speed_accuracy_chart(joint, true));
   }
-  // An entry that solves nothing is not worth a row, though none may be cheaper.
-  Table front = where(speed_accuracy, [](const Row& row) {
-    return row.is("largest") && row.number("share") > 0 &&
-           (row.is("on_front") || row.is("on_time_front"));
-  });
-  front.name = "pareto-front";
-  page.add(std::move(front));
 }
 
 std::optional<std::string> lacking_sentence(const Campaign& campaign) {
@@ -180,9 +157,11 @@ Json page_json(const char* kind, const Results& results) {
 
 Json compute(const Campaign& campaign, const Store& store) {
   Digest digest(store.description());
-  const std::vector<CellResult> results =
+  const std::vector<CellResult> all =
       cell_results(campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
-  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  std::vector<CellResult> results = all;
+  std::vector<ReportedPart> reported = reported_parts(campaign);
+  set_pathological_apart(campaign, results, reported);
   const std::vector<RatedPart> parts = rated_parts(campaign, results, reported);
   const std::vector<EntrySet> sets = entry_sets_of(campaign, results, reported);
   const Table speed_accuracy = speed_accuracy_table(campaign, sets);
@@ -210,13 +189,16 @@ Json compute(const Campaign& campaign, const Store& store) {
   page.set("lacking", lacking_sentence(campaign));
   page.add(Table(leaders));
   page.add(unsolved_table(parts));
+  page.add(by_family(page.tables.back()));
   add_fronts(speed_accuracy, page);
   const Table map = solver_map(speed_accuracy, leaders);
   if (map.rows.size() > 1) page.add(map_chart(map));
   page.add(Table(map));
   page.add(order_table(results, parts));
+  page.add(summary_of(page.tables.back(), "order-summary", {"changed"}));
   page.add(held_out_table(parts));
-  page.add(change_table(campaign, results, reported));
+  page.add(change_table(campaign, results, parts));
+  page.add(summary_of(page.tables.back(), "change-summary", {"family", "changed"}));
   add_own_solvers(campaign, sets, all_solvers(), page);
   add_relocated_optima(campaign, results, page);
   page.add(failure_table(parts));
@@ -234,13 +216,21 @@ Json compute(const Campaign& campaign, const Store& store) {
        family_pages(campaign, parts, sets, leaders, speed_accuracy, hashes)) {
     add(family.folder, "comparison_family", family.results);
   }
-  const Results across = across_page(campaign, results, reported);
+  const Results across = machines_page(parts);
   if (!across.parts.empty()) add("across-machines", "comparison_machines", across);
   Results failures;
-  if (add_perturbations(campaign, results, failures)) {
+  const bool perturbed = add_perturbations(campaign, results, failures);
+  if (add_pathological(campaign, all, failures) || perturbed) {
+    if (!perturbed) {
+      failures.add(Table{"perturbations"});
+      failures.add(Table{"outcomes"});
+      failures.set("perturbed-runs", Value());
+      failures.set("finding", *failures.value("pathological-runs"));
+    }
     add("robustness", "comparison_failures", failures);
   }
-  add("solvers", "comparison_solvers", solvers_page(campaign, results, sets, speed_accuracy));
+  add("solvers", "comparison_solvers",
+      solvers_page(campaign, results, sets, speed_accuracy, leaders));
   Results view = view_page(campaign, results, reported, sets, all_solvers());
   view.set("runs", campaign.runs());
   view.set("campaign", name);

@@ -140,7 +140,6 @@ class ViewTable {
       page.add(std::move(list));
     }
     page.set("first_instance", campaign_.plan().first_instance);
-    page.add(contents());
   }
 
  private:
@@ -197,44 +196,6 @@ class ViewTable {
     if (taken.size() == problems.size()) entry.problems.clear();
     entry.runs = runs.text();
     return entry;
-  }
-
-  /// A row for each family, for readers.
-  Table contents() const {
-    Table table{"families",
-                {{"family"},
-                 {"part"},
-                 {"variables"},
-                 {"problems"},
-                 {"entries"},
-                 {"budgets"},
-                 {"perturbations"},
-                 {"prices", "prices of a gradient"},
-                 {"runs"}}};
-    for (std::size_t family = 0; family < families_.size(); ++family) {
-      std::set<std::int64_t> budgets, variables;
-      std::set<std::string> perturbations, prices;
-      std::set<std::pair<std::size_t, std::size_t>> entries;
-      std::size_t runs = 0;
-      for (const auto& [common, taken] : cells_) {
-        if (std::get<0>(common) != family) continue;
-        perturbations.insert(perturbations_.all()[std::get<1>(common)]);
-        prices.insert(prices_.all()[std::get<2>(common)]);
-        budgets.insert(std::get<3>(common));
-        entries.insert({std::get<4>(common), std::get<5>(common)});
-        for (const auto& [problem, result] : taken) runs += result->outcomes.size();
-      }
-      const ViewFamily& own = families_[family];
-      for (const std::size_t problem : own.problems) variables.insert(problems_[problem].variables);
-      table.add(own.family, own.part,
-                variables.size() == 1
-                    ? fmt::format("{}", *variables.begin())
-                    : fmt::format("{} to {}", *variables.begin(), *variables.rbegin()),
-                own.problems.size(), entries.size(), fmt::format("{}", fmt::join(budgets, ", ")),
-                fmt::format("{}", fmt::join(perturbations, ", ")),
-                fmt::format("{}", fmt::join(prices, ", ")), runs);
-    }
-    return table;
   }
 
   struct ViewProblem {

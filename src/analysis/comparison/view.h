@@ -16,7 +16,7 @@
 namespace ricochet::studies::comparison {
 
 /// The page on which a reader filters the runs: tables whose names begin with "view-", a compact
-/// form of all runs, and "families", a row for each family, for readers.
+/// form of all runs.
 ///
 /// The tables are lists of names, which "view-entries" counts from 0: families (of problems, as the
 /// report names them), problems, solvers, formulations, perturbations and prices of a gradient. An

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -12,71 +13,37 @@ namespace ricochet {
 
 namespace {
 
-void check(double number) {
-  if (!(number >= 0 && std::isfinite(number))) {
-    throw std::invalid_argument("break-even: numbers must be finite and >= 0");
+void check(std::initializer_list<double> numbers) {
+  for (const double number : numbers) {
+    if (!(number >= 0 && std::isfinite(number))) {
+      throw std::invalid_argument("break-even: numbers must be finite and >= 0");
+    }
   }
-}
-
-void check(const Expense& expense) {
-  check(expense.evaluations);
-  check(expense.gradients);
-  check(expense.overhead);
 }
 
 }  // namespace
 
-double seconds_to_target(const Expense& expense, double simulation, double gradient_price) {
-  check(expense);
-  check(simulation);
-  check(gradient_price);
-  return expense.overhead + simulation * (expense.evaluations + gradient_price * expense.gradients);
+double seconds_to_target(const Expense& expense, double simulation) {
+  check({expense.simulations, expense.overhead, simulation});
+  return expense.overhead + simulation * expense.simulations;
 }
 
-std::vector<std::vector<std::size_t>> cheapest_solvers(const std::vector<Expense>& expenses,
-                                                       const std::vector<double>& simulations,
-                                                       const std::vector<double>& gradient_prices) {
-  if (expenses.empty()) throw std::invalid_argument("cheapest_solvers: no solvers");
-  std::vector<std::vector<std::size_t>> cheapest;
-  for (const double simulation : simulations) {
-    cheapest.emplace_back();
-    for (const double price : gradient_prices) {
-      std::size_t best = 0;
-      double least = seconds_to_target(expenses[0], simulation, price);
-      for (std::size_t k = 1; k < expenses.size(); ++k) {
-        const double seconds = seconds_to_target(expenses[k], simulation, price);
-        if (!(seconds < least)) continue;
-        best = k;
-        least = seconds;
-      }
-      cheapest.back().push_back(best);
-    }
+std::size_t cheapest_solver(const std::vector<Expense>& expenses, double simulation) {
+  if (expenses.empty()) throw std::invalid_argument("cheapest_solver: no solvers");
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < expenses.size(); ++k) {
+    if (seconds_to_target(expenses[k], simulation) < seconds_to_target(expenses[best], simulation))
+      best = k;
   }
-  return cheapest;
+  return best;
 }
 
-std::optional<double> break_even_simulation(const Expense& a, const Expense& b,
-                                            double gradient_price) {
-  check(a);
-  check(b);
-  check(gradient_price);
-  const double simulations =
-      a.evaluations - b.evaluations + gradient_price * (a.gradients - b.gradients);
+std::optional<double> break_even_simulation(const Expense& a, const Expense& b) {
+  check({a.simulations, a.overhead, b.simulations, b.overhead});
+  const double simulations = a.simulations - b.simulations;
   const double overhead = b.overhead - a.overhead;
   if (simulations == 0 || !(overhead / simulations > 0)) return std::nullopt;
   return overhead / simulations;
-}
-
-std::optional<double> break_even_gradient_price(const Expense& a, const Expense& b,
-                                                double simulation) {
-  check(a);
-  check(b);
-  check(simulation);
-  if (simulation == 0) throw std::invalid_argument("break_even_gradient_price: no time");
-  const double gradients = simulation * (a.gradients - b.gradients);
-  const double rest = b.overhead - a.overhead + simulation * (b.evaluations - a.evaluations);
-  if (gradients == 0 || !(rest / gradients >= 0)) return std::nullopt;
-  return rest / gradients;
 }
 
 std::vector<double> virtual_best(const Costs& costs) {
@@ -86,20 +53,6 @@ std::vector<double> virtual_best(const Costs& costs) {
     best.push_back(*std::min_element(row.begin(), row.end()));
   }
   return best;
-}
-
-VirtualBestGap virtual_best_gap(const Costs& costs) {
-  const std::size_t solvers = check_costs(costs);
-  std::vector<double> means;
-  for (std::size_t solver = 0; solver < solvers; ++solver) {
-    std::vector<double> own;
-    for (const std::vector<double>& row : costs) own.push_back(row[solver]);
-    means.push_back(shifted_geometric_mean(own));
-  }
-  const auto least = std::min_element(means.begin(), means.end());
-  return {.single_best = static_cast<std::size_t>(least - means.begin()),
-          .mean_of_single_best = *least,
-          .mean_of_virtual_best = shifted_geometric_mean(virtual_best(costs))};
 }
 
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points) {

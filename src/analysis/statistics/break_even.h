@@ -8,52 +8,28 @@
 
 namespace ricochet {
 
-/// The cost for a solver to reach a target.
+/// The cost for a solver to reach a target. Numbers are finite and >= 0; the functions throw
+/// std::invalid_argument for others.
 struct Expense {
-  double evaluations;  ///< simulations without a gradient
-  double gradients;    ///< simulations with one
-  double overhead;     ///< the solver's own computing time [s]
+  double simulations;
+  double overhead;  ///< the solver's own computing time [s]
 };
 
-/// Seconds to the target if a simulation takes `simulation` seconds and one with a gradient
-/// `gradient_price` times as long: overhead + simulation (evaluations + gradient_price gradients).
-/// Throws std::invalid_argument for a number that is negative or not finite.
-double seconds_to_target(const Expense& expense, double simulation, double gradient_price);
+/// Seconds to the target if a simulation takes `simulation` seconds.
+double seconds_to_target(const Expense& expense, double simulation);
 
-/// The fastest solver, the first of equals: entry [i][k] is for simulations[i] and
-/// gradient_prices[k]. Throws std::invalid_argument as above, or without solvers.
-std::vector<std::vector<std::size_t>> cheapest_solvers(const std::vector<Expense>& expenses,
-                                                       const std::vector<double>& simulations,
-                                                       const std::vector<double>& gradient_prices);
+/// The index of the fastest solver, the first of equals. Throws std::invalid_argument without
+/// solvers.
+std::size_t cheapest_solver(const std::vector<Expense>& expenses, double simulation);
 
 /// The time of a simulation [s] at which both solvers take the same time. With cheaper simulations
 /// the solver with less overhead is faster, with more expensive ones the other. Nothing if one is
-/// faster at every time > 0, or both are always equal. Throws std::invalid_argument as above.
-std::optional<double> break_even_simulation(const Expense& a, const Expense& b,
-                                            double gradient_price);
-
-/// The price of a gradient at which both solvers take the same time. Below it the solver with more
-/// gradients is faster, above it the other. Nothing if there is no such price >= 0. Throws
-/// std::invalid_argument as above, or for a simulation that takes no time.
-std::optional<double> break_even_gradient_price(const Expense& a, const Expense& b,
-                                                double simulation);
+/// faster at every time > 0, or both are always equal.
+std::optional<double> break_even_simulation(const Expense& a, const Expense& b);
 
 /// The least cost of each problem: that of a virtual solver that always picks the best one present.
 /// Infinite if none solved it. Throws std::invalid_argument for invalid costs.
 std::vector<double> virtual_best(const Costs& costs);
-
-/// The cost of using one solver for all problems instead of the best for each.
-struct VirtualBestGap {
-  std::size_t single_best;  ///< the solver with the least mean, the first of equals
-  double mean_of_single_best;
-  double mean_of_virtual_best;
-};
-
-/// The single best solver against the virtual best, by shifted geometric means with PAVER's shift
-/// and floor (Lindauer, van Rijn and Kotthoff 2019, doi:10.1016/j.artint.2018.10.004, on the gap).
-/// Charge a failed run what it spent: one infinite cost makes the mean infinite. Throws
-/// std::invalid_argument as above.
-VirtualBestGap virtual_best_gap(const Costs& costs);
 
 /// A point with two values to be minimised; infinite values are allowed.
 struct CostAndError {

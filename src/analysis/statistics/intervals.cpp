@@ -1,7 +1,6 @@
 #include "src/analysis/statistics/intervals.h"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstddef>
@@ -23,29 +22,6 @@ Interval wilson_interval(double successes, double trials, double confidence) {
   // For no success or no failure one end is exactly 0 or 1, despite rounding.
   return {successes == 0 ? 0 : std::max(0.0, (centre - half) / (trials + z * z)),
           failures == 0 ? 1 : std::min(1.0, (centre + half) / (trials + z * z))};
-}
-
-std::optional<Interval> order_statistic_interval(std::vector<double> sample, double q,
-                                                 double confidence) {
-  check_confidence(confidence);
-  if (!(q > 0 && q < 1)) {
-    throw std::invalid_argument("order_statistic_interval: the quantile must be in (0, 1)");
-  }
-  if (std::any_of(sample.begin(), sample.end(), [](double x) { return std::isnan(x); })) {
-    throw std::invalid_argument("order_statistic_interval: a value is not a number");
-  }
-  if (sample.empty()) return std::nullopt;
-  std::sort(sample.begin(), sample.end());
-  const double tail = (1 - confidence) / 2 * (1 + 1e-12);  // a tolerance for rounding
-  const boost::math::binomial below(static_cast<double>(sample.size()), q);
-  // With probability `tail` at most, the number of values below the quantile is less than `lower`;
-  // the same holds for `upper` or more. Both count from 1.
-  std::size_t lower = 0;
-  while (lower < sample.size() && cdf(below, static_cast<double>(lower)) <= tail) ++lower;
-  std::size_t upper = sample.size() + 1;
-  while (upper > 1 && cdf(complement(below, static_cast<double>(upper) - 2)) <= tail) --upper;
-  if (lower == 0 || upper > sample.size()) return std::nullopt;
-  return Interval{sample[lower - 1], sample[upper - 1]};
 }
 
 MeanShare mean_share(const std::vector<double>& shares, double confidence) {
@@ -77,19 +53,6 @@ double quantile(std::vector<double> sample, double q) {
   if (share == 0.0) return low;
   const double high = *std::min_element(at_low + 1, sample.end());
   return std::isinf(high) ? high : low + share * (high - low);
-}
-
-Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
-                         std::uint64_t seed) {
-  Random random(seed);
-  const auto size = static_cast<double>(sample.size());
-  std::vector<double> medians;
-  std::vector<double> drawn(sample.size());
-  for (int i = 0; i < resamples; ++i) {
-    for (double& x : drawn) x = sample[static_cast<std::size_t>(size * uniform(random))];
-    medians.push_back(quantile(drawn, 0.5));
-  }
-  return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
 }
 
 double root_mean_square(const std::vector<double>& errors) {

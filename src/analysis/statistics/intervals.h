@@ -26,16 +26,6 @@ inline void check_confidence(double confidence) {
 /// be fractions, e.g. effective sample sizes. Throws std::invalid_argument for invalid counts.
 Interval wilson_interval(double successes, double trials, double confidence = 0.95);
 
-/// Interval of the quantile q in (0, 1) between two values of the sample, with a coverage of at
-/// least `confidence` for any distribution. The ranks follow from the binomial distribution of the
-/// number of values below the quantile, each tail at most (1 - confidence) / 2 (David and Nagaraja
-/// 2003, Order Statistics, section 7.1, doi:10.1002/0471722162). The median of 15 values is between
-/// the 4th and the 12th: 96.5 %. Infinite values, never reached, are the largest, so the upper end
-/// may be infinite. Nothing if the sample is too small: a median needs 6 values for 95 %. Throws
-/// std::invalid_argument for a value that is no number.
-std::optional<Interval> order_statistic_interval(std::vector<double> sample, double q = 0.5,
-                                                 double confidence = 0.95);
-
 struct MeanShare {
   double mean;
   Interval interval;
@@ -53,13 +43,6 @@ MeanShare mean_share(const std::vector<double>& shares, double confidence = 0.95
 /// Quantile q in [0, 1] of the sample, linear between neighbours (Hyndman and Fan 1996, type 7).
 /// Infinite values are allowed and sorted last. The sample must not be empty.
 double quantile(std::vector<double> sample, double q);
-
-/// Percentile bootstrap interval of the median at `confidence` in (0, 1), from `resamples` samples
-/// drawn with replacement (Efron 1979, doi:10.1214/aos/1176344552). For bands along a curve. With
-/// 15 values the coverage is 91 % instead of 95 %; order_statistic_interval() never covers less
-/// than its confidence. Deterministic in `seed`. The sample must not be empty.
-Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
-                         std::uint64_t seed);
 
 /// Square root of the mean of the squares. The sample must not be empty.
 double root_mean_square(const std::vector<double>& errors);

@@ -76,26 +76,6 @@ Interval expected_running_time_interval(const std::vector<Effort>& runs, double 
           estimate * std::exp(joined(of_mean, std::log(share / wilson.lower), correlation))};
 }
 
-Exponential::Exponential() {
-  // 256 layers of the same area; the last one is the tail with the block below it. With this edge
-  // and area the layers end exactly at height 1.
-  constexpr double edge = 7.697117470131050;
-  constexpr double area = 0.003949659822581557;
-  ends_[0] = area * std::exp(edge);
-  ends_[1] = edge;
-  for (std::size_t i = 2; i < 256; ++i) {
-    ends_[i] = -std::log(area / ends_[i - 1] + std::exp(-ends_[i - 1]));
-  }
-  ends_[256] = 0;
-  for (std::size_t i = 0; i < ends_.size(); ++i) heights_[i] = std::exp(-ends_[i]);
-}
-
-double Exponential::beyond(std::size_t layer, double x, Random& random) const {
-  if (layer == 0) return ends_[1] + (*this)(random);  // the distribution is memoryless
-  const double height = heights_[layer] + uniform(random) * (heights_[layer + 1] - heights_[layer]);
-  return height < std::exp(-x) ? x : (*this)(random);
-}
-
 double shifted_geometric_mean(const std::vector<double>& costs, double shift, double floor) {
   if (costs.empty()) throw std::invalid_argument("shifted_geometric_mean: no costs");
   if (!(shift >= 0 && floor >= 0 && shift + floor > 0 && std::isfinite(shift + floor))) {
@@ -122,14 +102,6 @@ std::size_t check_costs(const Costs& costs) {
     }
   }
   return costs.front().size();
-}
-
-Costs costs_of_pair(const Costs& costs, std::size_t a, std::size_t b) {
-  const std::size_t solvers = check_costs(costs);
-  if (a >= solvers || b >= solvers) throw std::invalid_argument("costs_of_pair: no such solver");
-  Costs pair;
-  for (const std::vector<double>& row : costs) pair.push_back({row[a], row[b]});
-  return pair;
 }
 
 }  // namespace ricochet

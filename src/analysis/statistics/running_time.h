@@ -33,26 +33,6 @@ std::optional<double> expected_running_time(const std::vector<Effort>& runs);
 /// infinite or no number.
 Interval expected_running_time_interval(const std::vector<Effort>& runs, double confidence = 0.95);
 
-/// Exponential numbers of mean 1 by Marsaglia and Tsang's ziggurat of 256 layers (2000,
-/// doi:10.18637/jss.v005.i08): three times as fast as taking a logarithm for each.
-class Exponential {
- public:
-  Exponential();
-
-  double operator()(Random& random) const {
-    const auto bits = random();
-    const std::size_t layer = bits & 255;  // the last bits; the number uses the first 53
-    const double x = static_cast<double>(bits >> 11) * 0x1p-53 * ends_[layer];
-    return x < ends_[layer + 1] ? x : beyond(layer, x, random);
-  }
-
- private:
-  double beyond(std::size_t layer, double x, Random& random) const;
-
-  std::array<double, 257> ends_;     // where the layers end, from the widest to 0
-  std::array<double, 257> heights_;  // exp(-x) there
-};
-
 /// exp(mean of log(max(x, floor) + shift)) - shift: a mean of costs in which neither a few long
 /// runs nor differences between very short ones have much weight (Achterberg 2007, Constraint
 /// Integer Programming, section A.3; shift and floor of PAVER 2.0, doi:10.1007/s10898-013-0131-5,
@@ -69,9 +49,5 @@ using Costs = std::vector<std::vector<double>>;
 /// Returns the number of solvers. Throws std::invalid_argument if there is no problem or no solver,
 /// rows differ in length, or a cost is not positive.
 std::size_t check_costs(const Costs& costs);
-
-/// The costs of two solvers only. Throws std::invalid_argument as above, or for an index without a
-/// solver.
-Costs costs_of_pair(const Costs& costs, std::size_t a, std::size_t b);
 
 }  // namespace ricochet

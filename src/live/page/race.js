@@ -16,13 +16,13 @@ class Race {
       this.run(!this.runs);
     });
     root.querySelector("#race-step").addEventListener("click", () => {
-      this.run(false);
       this.shown = Math.min(this.length, this.shown + 1);
+      this.run(false);
       this.draw();
     });
     root.querySelector("#race-end").addEventListener("click", () => {
-      this.run(false);
       this.shown = this.length;
+      this.run(false);
       this.draw();
     });
     root.querySelector("#race-again").addEventListener("click", again);

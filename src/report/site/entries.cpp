@@ -152,14 +152,10 @@ std::vector<FoundReport> found_reports(const fs::path& site) {
 
 namespace {
 
-/// Copies the data of a report, and of its pages, which say that they are of the reference.
-void copy_of_reference(const fs::path& from, const fs::path& to, Json made) {
-  Json data = data_of(from).value();
-  made.update(data.value("made", Json::object()));
-  made["reference"] = true;
-  data["made"] = made;
+/// Copies the data of a report, and of its pages.
+void copy_data(const fs::path& from, const fs::path& to, const Json& data) {
   for (const std::string& page : pages_in(data))
-    copy_of_reference(from / page, below(to, page), made);
+    copy_data(from / page, below(to, page), data_of(from / page).value());
   report::add_files(to, {{"data.json", report::json_text(data)}});
 }
 
@@ -174,7 +170,9 @@ std::vector<std::string> complete(const fs::path& site, const fs::path& referenc
     std::error_code none;
     const bool is_other = there ? !made_of(*there).reference : fs::exists(folder, none);
     if (is_other || computed.contains(report.kind.name)) continue;
-    copy_of_reference(reference / report.folder, folder, Json::object());
+    Json data = report.data;
+    data["made"]["reference"] = true;
+    copy_data(reference / report.folder, folder, data);
     const auto written = report::redraw_report(folder, folder);
     failures.insert(failures.end(), written.failures.begin(), written.failures.end());
   }

@@ -90,9 +90,9 @@ std::string origins_of(const std::vector<FoundReport>& reports) {
                                         : *dates.begin() + " to " + *dates.rbegin());
 }
 
-OwnFiles drawn(const char* source, const Results& results) {
-  auto [files, failures] = report::page_files(report::page_source(source), results,
-                                              {{"machine-sketch", embedded::machine_sketch}});
+OwnFiles drawn(const char* source, const Results& results,
+               const std::map<std::string, std::string>& pictures = {}) {
+  auto [files, failures] = report::page_files(report::page_source(source), results, pictures);
   std::erase_if(files, [](const auto& file) { return file.first.ends_with(".csv"); });
   return {std::move(files), std::move(failures)};
 }
@@ -122,7 +122,7 @@ Results site_results(const std::vector<FoundReport>& reports) {
               report.headline ? report.headline->finding : other_version, made.date,
               report.headline && !report.headline->command.empty() ? report.headline->command
                                                                    : report.kind.command,
-              made.version, made.compiler, made.reference ? value_of("of the reference") : Value());
+              made.version, made.compiler, made.reference ? "of the reference" : "");
     if (made.date) year = std::max(year, made.date->substr(0, 4));
   }
   if (const std::string told = origins_of(reports); !told.empty()) site.set("origins", told);
@@ -140,7 +140,7 @@ Results site_results(const std::vector<FoundReport>& reports) {
 }
 
 OwnFiles front_page(const Results& site) {
-  OwnFiles page = drawn(embedded::page_front, site);
+  OwnFiles page = drawn(embedded::page_front, site, {{"machine-sketch", embedded::machine_sketch}});
   Results own;  // what the page has of its own
   own.add(*site.table("reports"));
   own.add(*site.table("missing"));

@@ -30,17 +30,6 @@ std::optional<std::pair<double, double>> quiet_range(const ricochet::Table& thre
   return range;
 }
 
-ricochet::Table walls_table(const ModelLevels& levels) {
-  ricochet::Table table{"walls-by-stiffness",
-                        {{"stiffness", "stiffness of compliant walls [N/m^1.5]"},
-                         {"share", "counts equal to those of hard walls [%]", ".0%"},
-                         {"compared", "counts compared"}}};
-  for (const ModelLevels::Walls& one : levels.walls) {
-    table.add(one.stiffness, one.share, one.compared);
-  }
-  return table;
-}
-
 }  // namespace
 
 Place machine_place() {
@@ -48,15 +37,10 @@ Place machine_place() {
   return {source.keys.at("group"), source.keys.at("label"), "machine"};
 }
 
-OwnFiles machine_page(report::Results site, const std::vector<FoundReport>& reports) {
+OwnFiles machine_page(report::Results site) {
   if (const ricochet::Table* thresholds = site.table("reproduction-thresholds")) {
     site.set("speed", speed_sentence(*thresholds));
     site.add(regimes_chart(*thresholds));
-  }
-  if (const auto levels = model_levels(reports)) {
-    site.set("walls", walls_sentence(*levels));
-    site.set("planar", planar_sentence(*levels));
-    site.add(walls_table(*levels));
   }
   auto [files, failures] = page_files(report::page_source(embedded::page_machines), site);
   std::erase_if(files, [](const auto& file) { return file.first.ends_with(".csv"); });
@@ -108,57 +92,6 @@ std::optional<std::string> speed_sentence(const ricochet::Table& thresholds) {
       "The paper's {} machines stay quiet up to {:.1f} to {:.1f} rad/s ({:.0f} to {:.0f} rpm): at "
       "most two collisions a turn, one with each wall.",
       thresholds.rows.size(), range->first, range->second, range->first * rpm, range->second * rpm);
-}
-
-RICOCHET_FIELDS(ModelLevels::Walls, stiffness, compared, share);
-
-namespace {
-
-struct Fidelity {
-  std::vector<ModelLevels::Walls> stiffnesses;
-};
-RICOCHET_FIELDS(Fidelity, stiffnesses);
-
-struct Planar {
-  double most_wrong, largest_tangent;
-};
-RICOCHET_FIELDS(Planar, most_wrong, largest_tangent);
-
-}  // namespace
-
-std::optional<ModelLevels> model_levels(const std::vector<FoundReport>& reports) {
-  const auto found = std::ranges::find_if(
-      reports, [](const FoundReport& report) { return report.kind.name == "dynamics"; });
-  if (found == reports.end()) return std::nullopt;
-  try {
-    const auto planar = found->data.at("planar").get<Planar>();
-    return ModelLevels{found->data.at("fidelity").get<Fidelity>().stiffnesses, planar.most_wrong,
-                       planar.largest_tangent};
-  } catch (const Json::exception&) {  // of another version
-    return std::nullopt;
-  }
-}
-
-std::optional<std::string> walls_sentence(const ModelLevels& levels) {
-  if (levels.walls.empty()) return std::nullopt;
-  const auto told = [](const ModelLevels::Walls& one) {
-    return fmt::format("{:.0f} % of {} counts", 100 * one.share.value_or(0), one.compared);
-  };
-  const auto& soft = levels.walls.front();
-  const auto& stiff = levels.walls.back();
-  return fmt::format(
-      "Yes, if walls give: compliant walls of {} N/m^1.5 agree with hard ones in {}, those of {} "
-      "N/m^1.5 in {}. Every speed on this page is of hard walls.",
-      soft.stiffness, told(soft), stiff.stiffness, told(stiff));
-}
-
-std::string planar_sentence(const ModelLevels& levels) {
-  return fmt::format(
-      "The second direction, across the track, changes {} of the counts in the paper's cases, up "
-      "to a lateral yarn pull of {:.2g} times that along the track: friction holds the carrier "
-      "there. Both sides of this comparison have the same friction.",
-      levels.most_wrong == 0 ? "none" : fmt::format("at most {:.2g} %", 100 * levels.most_wrong),
-      levels.largest_tangent);
 }
 
 }  // namespace ricochet::site

@@ -46,7 +46,7 @@ std::vector<Place> written_places(const fs::path& folder, const std::vector<Foun
   const Place machine = machine_place();
   std::error_code none;
   if (!fs::exists(below(folder, machine.folder) / data_file, none)) {  // no report is there
-    OwnFiles page = machine_page(site, reports);
+    OwnFiles page = machine_page(site);
     report::replace_files(below(folder, machine.folder), page.files);
     for (const std::string& line : page.failures) failures.push_back(machine.folder + ": " + line);
     own.push_back(machine);
@@ -185,8 +185,29 @@ class Links {
 /// What a document needs beside the look of all pages: long words break.
 constexpr const char* document_look =
     "main li { max-width: 46rem; }\n"
+    "main img { max-width: min(100%, 40rem); height: auto; background: #fff; }\n"
     "main p, main li, main h2, main h3 { overflow-wrap: anywhere; }\n"
     "@media screen and (max-width: 48rem) { .contents { display: none; } }\n";
+
+/// Adds the headings of a page that has a summary, and what stands below each but for tables.
+void add_page(const fs::path& site, const std::string& folder, const std::string& finding,
+              std::vector<SearchEntry>& search) {
+  const fs::path page = below(site, folder);
+  std::error_code none;
+  if (!fs::exists(page / "summary.md", none)) return;
+  const report::HtmlPage document = report::html_page(
+      text_of_file(page / "summary.md"), {.target = [](const std::string&) { return ""; }});
+  const std::string address = "../" + folder + "/index.html";
+  for (const report::PagePart& part : document.parts) {
+    if (&part == &document.parts.front()) {
+      search.push_back({document.title, part.heading, address, finding + " " + part.prose});
+    } else if (!part.anchor.empty()) {
+      search.push_back({document.title, part.heading, address + "#" + part.anchor, part.prose});
+    } else {
+      search.back().text += part.heading + " " + part.prose;
+    }
+  }
+}
 
 }  // namespace
 
@@ -206,10 +227,13 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
                         report::escape_html(page.title));
     place.pages.emplace_back(name);
   }
+  for (const std::string& own : {machine_place().folder, std::string(cite_folder)})
+    add_page(site, own, "", search);
   for (const FoundReport& report : reports) {
-    if (!report.headline) continue;
-    search.push_back({label_of(report), report.headline->title,
-                      "../" + report.folder + "/index.html", report.headline->finding});
+    const auto finding = [](const auto& one) { return one.headline ? one.headline->finding : ""; };
+    add_page(site, report.folder, finding(report), search);
+    for (const FoundPage& page : report.pages)
+      add_page(site, report.folder + "/" + page.folder, finding(page), search);
   }
   const std::string body = report::with_slots(
       embedded::docs_page,

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <fstream>
+#include <string>
 #include <thread>
 
 #include "src/core/files.h"
@@ -31,6 +34,16 @@ int cores() {
              : static_cast<int>(std::thread::hardware_concurrency());
 }
 
+/// What the system calls the processor; "" where it does not say.
+std::string processor() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("model name"))
+      return line.substr(std::min(line.find(": ") + 2, line.size()));
+  }
+  return "";
+}
+
 }  // namespace
 
 Finished run(const Study& study, bool quick, const std::filesystem::path& folder,
@@ -45,6 +58,7 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
                         {{"version", RICOCHET_VERSION},
                          {"compiler", compiler},
                          {"threads", cores()},
+                         {"processor", processor()},
                          {"seconds", elapsed()},
                          {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
                          {"quick", quick}}}};

@@ -221,23 +221,9 @@ FailureModeStudy study_failure_modes(const FailureModePlan& plan,
 
 namespace {
 
-using report::Json;
-
-/// A magnitude, and whether it is readable without a power of ten.
-Json size_of(double value) {
-  const double size = std::abs(value);
-  return {{"size", size}, {"plain", size == 0 || (size >= 0.01 && size < 1000)}};
-}
-
-Json data_of(const Zeno& zeno) {
-  const double late = zeno.rest_late;
-  const bool rests = zeno.finished && zeno.rest;
-  return {{"finished", zeno.finished},
-          {"rests", rests},
-          {"seconds_late", late},
-          {"off", rests && std::abs(late) >= 1e-5 ? size_of(late) : Json()},
-          {"early", late <= 0},
-          {"good", rests && std::abs(late) < std::max(1e-5, 1e-3 * zeno.end_of_impacts)}};
+bool is_good(const Zeno& zeno) {
+  return zeno.finished && zeno.rest &&
+         std::abs(zeno.rest_late) < std::max(1e-5, 1e-3 * zeno.end_of_impacts);
 }
 
 /// The least overshoot from which on all shares are one; nothing if there is none.
@@ -248,147 +234,132 @@ std::optional<double> all_right_from(const std::vector<double>& overshoots,
   return least;
 }
 
-Json grazes_of(const MethodFailures& method, const std::vector<double>& overshoots) {
-  const auto seen = all_right_from(overshoots, method.touched);
-  const auto spared = all_right_from(overshoots, method.missed);
-  const bool sees_all = seen == overshoots.back();
-  const bool invents_none = spared == overshoots.back();
-  return {{"seen_from", seen},
-          {"sees_all", sees_all},
-          {"spared_from", spared},
-          {"invents_none", invents_none},
-          {"good", sees_all && invents_none}};
+bool are_grazes_good(const MethodFailures& method) {
+  const auto right = [](double share) { return share == 1; };
+  return std::ranges::all_of(method.touched, right) && std::ranges::all_of(method.missed, right);
 }
 
-Json data_of(const Sticking& sticking, int decades) {
+bool is_good(const Sticking& sticking, int decades) {
   const bool in_time = sticking.noticed && *sticking.noticed < 1.5 * std::pow(10.0, -decades);
-  return {{"gave_up", sticking.gave_up},
-          {"creep", sticking.creep > 0 ? size_of(sticking.creep) : Json()},
-          {"noticed", sticking.noticed},
-          {"in_time", in_time},
-          {"too_early", sticking.breaks_loose_early},
-          {"good",
-           !sticking.gave_up && in_time && sticking.creep == 0 && !sticking.breaks_loose_early}};
+  return !sticking.gave_up && in_time && sticking.creep == 0 && !sticking.breaks_loose_early;
 }
 
-Json elastic_data(const Elastic& elastic) {
-  const double ratio = elastic.energy_ratio;
-  const double drift = ratio - 1;
-  const bool lost = ratio<0.01, multiplied = ratio> 2, kept = std::abs(drift) < 1e-8;
-  return {{"strikes", elastic.seen > 0},
-          {"seen", elastic.seen},
-          {"impacts", elastic.impacts},
-          {"sees_all", elastic.seen == elastic.impacts},
-          {"energy_ratio", ratio},
-          {"lost", lost},
-          {"multiplied", multiplied},
-          {"kept", kept},
-          {"percent", lost || multiplied || kept ? Json() : size_of(100 * drift)},
-          {"gains", drift > 0},
-          {"good", elastic.seen == elastic.impacts && std::abs(drift) < 1e-3}};
+bool is_good(const Elastic& elastic) {
+  return elastic.seen == elastic.impacts && std::abs(elastic.energy_ratio - 1) < 1e-3;
 }
 
-Json data_of(const ChaoticRate& rate) {
-  return {{"finished", rate.finished},
-          {"error", rate.error},
-          {"good", rate.finished && std::abs(rate.error) <= rate.uncertainty}};
+bool is_good(const ChaoticRate& rate) {
+  return rate.finished && std::abs(rate.error) <= rate.uncertainty;
 }
 
-Json data_of(const FailureModeStudy& study, const MethodFailures& method) {
-  return {{"method", method.method},
-          {"zeno", data_of(method.zeno)},
-          {"grazes", grazes_of(method, study.overshoots)},
-          {"sticking", data_of(method.sticking, study.plan.decades)},
-          {"elastic", report::list_of(method.elastic, elastic_data)},
-          {"rate", data_of(method.rate)}};
-}
-
-/// By how much a wall is missed (-) or overshot (+), in swings, in the order of rights_of.
-Json touches_of(const std::vector<double>& overshoots) {
-  Json touches = Json::array();
-  for (const double by : overshoots) {
-    touches.push_back(fmt::format("-1e{:.0f}", std::log10(by)));
-  }
-  for (auto by = overshoots.rbegin(); by != overshoots.rend(); ++by) {
-    touches.push_back(fmt::format("+1e{:.0f}", std::log10(*by)));
-  }
-  return touches;
-}
-
-/// Share of correct decisions of a method, in whole per cent.
-Json rights_of(const MethodFailures& method) {
-  Json rights = Json::array();
-  for (const double share : method.missed) rights.push_back(std::round(100 * share));
-  for (auto share = method.touched.rbegin(); share != method.touched.rend(); ++share) {
-    rights.push_back(std::round(100 * *share));
-  }
-  return {{"method", method.method}, {"right", std::move(rights)}};
-}
-
-/// Number of failure modes in which a method of control_data fails.
-int failures(const Json& method) {
-  int failed = 0;
-  for (const char* mode : {"zeno", "grazes", "sticking", "rate"}) {
-    failed += method[mode]["good"] == false;
-  }
-  for (const Json& elastic : method["elastic"]) failed += elastic["good"] == false;
+/// Number of failure modes in which a method fails.
+int failures_of(const MethodFailures& method, int decades) {
+  int failed = !is_good(method.zeno) + !are_grazes_good(method) +
+               !is_good(method.sticking, decades) + !is_good(method.rate);
+  for (const Elastic& elastic : method.elastic) failed += !is_good(elastic);
   return failed;
 }
 
-/// Number of methods that fail in a failure mode.
-int failing(const Json& methods, const char* mode) {
-  return static_cast<int>(std::count_if(methods.begin(), methods.end(), [&](const Json& method) {
-    return method[mode]["good"] == false;
-  }));
+std::string finding_of(const FailureModeStudy& study) {
+  const int decades = study.plan.decades;
+  std::vector<std::string> flawless;
+  int most = -1, zeno = 0, grazes = 0, sticking = 0, rate = 0;
+  std::string worst;
+  for (std::size_t m = 0; m < study.tight.size(); ++m) {
+    const MethodFailures& method = study.tight[m];
+    const int failed = failures_of(method, decades);
+    if (failed + failures_of(study.loose[m], decades) == 0) flawless.push_back(method.method);
+    if (failed > most) worst = method.method;
+    most = std::max(most, failed);
+    zeno += !is_good(method.zeno);
+    grazes += !are_grazes_good(method);
+    sticking += !is_good(method.sticking, decades);
+    rate += !is_good(method.rate);
+  }
+  const std::size_t modes = 4 + study.losses.size();
+  return fmt::format(
+      "Right in all {} failure modes, at the loose and the tight setting: {}. At the tight setting "
+      "{} of {} methods fail on a wall that is just touched or missed, {} on sticking, {} on "
+      "endless bouncing, {} on the rate of impacts in chaos; {} fails most, {} of {}.",
+      modes, flawless.empty() ? "no method" : fmt::format("{}", fmt::join(flawless, ", ")), grazes,
+      study.tight.size(), sticking, zeno, rate, worst, most, modes);
 }
 
-Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
-                  const std::string& control) {
-  const auto failures_of = [&](const MethodFailures& method) { return data_of(study, method); };
-  Json rows = report::list_of(methods, failures_of);
-  const int grazes = failing(rows, "grazes");
-  return {{"control", control},
-          {"tight", control == "tight"},
-          {"failing", {{"of", methods.size()}, {"grazes", grazes}}},
-          {"methods", std::move(rows)},
-          {"rights", report::list_of(methods, rights_of)}};
+/// Share of correct decisions of each method on a wall that is missed by less and less, and then
+/// touched by more and more.
+report::Chart graze_chart(const FailureModeStudy& study) {
+  const auto failing = std::ranges::count_if(
+      study.tight, [](const MethodFailures& method) { return !are_grazes_good(method); });
+  report::Chart chart{
+      .name = "grazes",
+      .title = fmt::format("Tight setting: {} of {} methods miss a touch or invent one", failing,
+                           study.tight.size()),
+      .x = {"wall missed by (-) or overshot by (+), in swings"},
+      .y = {"method"},
+      .heat_map = report::HeatMap{"right [%]", {}, report::Range{0, 100}},
+      .width = 900,
+      .height = 340};
+  const auto& by = study.overshoots;
+  for (const double x : by) chart.x.categories.push_back(fmt::format("-1e{:.0f}", std::log10(x)));
+  for (auto x = by.rbegin(); x != by.rend(); ++x)
+    chart.x.categories.push_back(fmt::format("+1e{:.0f}", std::log10(*x)));
+  for (auto method = study.tight.rbegin(); method != study.tight.rend(); ++method) {
+    chart.y.categories.push_back(method->method);
+    auto& row = chart.heat_map->rows.emplace_back();
+    for (const double share : method->missed) row.emplace_back(std::round(100 * share));
+    for (auto share = method->touched.rbegin(); share != method->touched.rend(); ++share)
+      row.emplace_back(std::round(100 * *share));
+  }
+  return chart;
 }
 
 }  // namespace
 
-Json data_of(const FailureModeStudy& study) {
-  const FailureModePlan& plan = study.plan;
-  const Json loose = control_data(study, study.loose, "loose");
-  const Json tight = control_data(study, study.tight, "tight");
-  const Json& methods = tight["methods"];
-  Json flawless = Json::array();
-  int most = -1;
-  std::string worst;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    const std::string& name = study.tight[m].method;
-    const int failed = failures(methods[m]);
-    if (failed + failures(loose["methods"][m]) == 0) flawless.push_back(name);
-    if (failed > most) worst = name;
-    most = std::max(most, failed);
+void add_to(report::Results& results, const FailureModeStudy& study) {
+  Table table{"failure-modes",
+              {{"method"},
+               {"setting"},
+               {"rest_late", "rests late by [s]", ".2g"},
+               {"touches_from", "sees touches from [swings]", ".0e"},
+               {"misses_from", "invents none from [swings]", ".0e"},
+               {"excess_from", "breaks loose from an excess of", ".0e"}}};
+  for (const double loss : study.losses) {
+    table.columns.push_back({fmt::format("energy_{:.0e}", loss),
+                             fmt::format("energy, restitution 1 - {:.0e} [%]", loss), "+.2g%"});
   }
-  return {{"losses", study.losses},
-          {"touches", touches_of(study.overshoots)},
-          {"end_of_impacts", study.tight.front().zeno.end_of_impacts},
-          {"least_excess", std::pow(10.0, -plan.decades)},
-          {"impacts", plan.impacts},
-          {"starts", plan.starts},
-          {"seconds", plan.seconds},
-          {"uncertainty", study.tight.front().rate.uncertainty},
-          {"modes", 4 + study.losses.size()},
-          {"flawless", std::move(flawless)},
-          {"worst", {{"method", worst}, {"failed", most}}},
-          {"failing",
-           {{"of", methods.size()},
-            {"grazes", failing(methods, "grazes")},
-            {"sticking", failing(methods, "sticking")},
-            {"zeno", failing(methods, "zeno")},
-            {"rate", failing(methods, "rate")}}},
-          {"controls", Json::array({loose, tight})}};
+  table.columns.push_back({"rate", "impacts in chaos [%]", "+.1%"});
+  table.columns.push_back({"failed", "modes failed"});
+  for (const auto& [setting, methods] :
+       {std::pair("tight", &study.tight), std::pair("loose", &study.loose)}) {
+    for (const MethodFailures& method : *methods) {
+      const bool rests = method.zeno.finished && method.zeno.rest;
+      std::vector<Value> row = {
+          value_of(method.method),
+          value_of(setting),
+          value_of(rests ? std::optional(method.zeno.rest_late) : std::nullopt),
+          value_of(all_right_from(study.overshoots, method.touched)),
+          value_of(all_right_from(study.overshoots, method.missed)),
+          value_of(method.sticking.gave_up ? std::nullopt : method.sticking.noticed)};
+      for (const Elastic& elastic : method.elastic) {
+        row.push_back(
+            value_of(elastic.seen > 0 ? std::optional(elastic.energy_ratio - 1) : std::nullopt));
+      }
+      row.push_back(
+          value_of(method.rate.finished ? std::optional(method.rate.error) : std::nullopt));
+      row.push_back(value_of(failures_of(method, study.plan.decades)));
+      table.add_row(std::move(row));
+    }
+  }
+  results.set("failure-modes-finding", finding_of(study));
+  results.set("end-of-impacts", study.tight.front().zeno.end_of_impacts);
+  results.set("least-excess", std::pow(10.0, -study.plan.decades));
+  results.set("elastic-impacts", study.plan.impacts);
+  results.set("chaotic-runs", study.plan.starts);
+  results.set("chaotic-seconds", study.plan.seconds);
+  results.set("rate-uncertainty", study.tight.front().rate.uncertainty);
+  results.set("methods-tried", study.tight.size());
+  results.add(std::move(table));
+  results.add(graze_chart(study));
 }
 
 }  // namespace ricochet::studies::dynamics

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "problems/carrier_track/check/integrator.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Errors of numerical methods where hard walls and dry friction are hard to compute, against exact
 /// solutions in closed form.
@@ -94,7 +94,8 @@ struct FailureModeStudy {
 FailureModeStudy study_failure_modes(const FailureModePlan& plan,
                                      const std::vector<carrier_track::Integrator>& integrators);
 
-/// The errors of every method in every failure mode, with the loose and with the tight setting.
-report::Json data_of(const FailureModeStudy& study);
+/// Adds the errors of every method in every failure mode, with the tight and with the loose
+/// setting.
+void add_to(report::Results& results, const FailureModeStudy& study);
 
 }  // namespace ricochet::studies::dynamics

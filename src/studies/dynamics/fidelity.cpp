@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <stdexcept>
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
@@ -46,22 +43,17 @@ std::string name_of(double stiffness) {
 }
 
 FidelityTotal total_of(const FidelityStudy& study, std::size_t s) {
-  FidelityTotal total{.stiffness = name_of(study.plan.stiffnesses[s])};
-  int distance = 0;
+  FidelityTotal total;
   for (const auto& row : study.cells) {
     total.equal += row[s].equal;
     total.compared += row[s].compared;
-    distance += row[s].distance;
+    total.distance += row[s].distance;
     if (!row[s].cost) continue;
     total.least_cost = std::min(total.least_cost.value_or(*row[s].cost), *row[s].cost);
     total.most_cost = std::max(total.most_cost.value_or(*row[s].cost), *row[s].cost);
   }
-  if (total.compared > 0) {
-    total.share = static_cast<double>(total.equal) / total.compared;
-    total.distance = 1.0 * distance / total.compared;
-  }
-  const auto tried = static_cast<int>(study.cells.size() * study.plan.speeds.size());
-  total.unfinished = tried - total.compared;
+  total.unfinished =
+      static_cast<int>(study.cells.size() * study.plan.speeds.size()) - total.compared;
   return total;
 }
 
@@ -102,17 +94,66 @@ FidelityStudy study_fidelity(const FidelityPlan& plan) {
   return study;
 }
 
-FidelityData data_of(const FidelityStudy& study) {
-  const std::vector<double>& speeds = study.plan.speeds;
-  FidelityData data{study.cases.size(), {speeds.size(), speeds.front(), speeds.back()}, {}, {}};
-  for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
-    data.stiffnesses.push_back(total_of(study, s));
+namespace {
+
+/// "21 of 72 counts (29 %)".
+std::string agreement(const FidelityTotal& total) {
+  return fmt::format("{} of {} counts ({:.0f} %)", total.equal, total.compared,
+                     100 * total.share().value_or(0));
+}
+
+report::Chart walls_chart(const FidelityStudy& study) {
+  report::Chart chart{.name = "fidelity",
+                      .title = "How many counts of compliant walls equal those of hard ones",
+                      .x = {"stiffness [N/m^1.5]"},
+                      .y = {"case"},
+                      .heat_map = report::HeatMap{"equal [%]", {}, report::Range{0, 100}},
+                      .width = 620,
+                      .height = 420};
+  for (const double stiffness : study.plan.stiffnesses)
+    chart.x.categories.push_back(name_of(stiffness));
+  for (std::size_t c = study.cases.size(); c-- > 0;) {
+    chart.y.categories.push_back(study.cases[c]);
+    auto& row = chart.heat_map->rows.emplace_back();
+    for (const FidelityCell& cell : study.cells[c]) {
+      const auto share = cell.share();
+      row.push_back(share ? std::optional(std::round(100 * *share)) : std::nullopt);
+    }
   }
-  for (std::size_t c = 0; c < study.cases.size(); ++c) {
-    FidelityShares& shares = data.shares.emplace_back(FidelityShares{study.cases[c], {}});
-    for (const FidelityCell& cell : study.cells[c]) shares.equal.push_back(cell.share());
+  return chart;
+}
+
+}  // namespace
+
+void add_to(report::Results& results, const FidelityStudy& study) {
+  Table table{"walls",
+              {{"stiffness", "stiffness [N/m^1.5]"},
+               {"compared", "counts compared"},
+               {"equal", "equal to hard walls'"},
+               {"share", "equal [%]", ".0%"},
+               {"distance", "apart on average", ".2f"},
+               {"unfinished", "not finished"},
+               {"least_cost", "time over hard walls', least", ".1f"},
+               {"most_cost", "most", ".1f"}}};
+  const std::vector<double>& stiffnesses = study.plan.stiffnesses;
+  for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
+    const FidelityTotal total = total_of(study, s);
+    table.add(name_of(stiffnesses[s]), total.compared, total.equal, total.share(),
+              total.compared > 0 ? std::optional(total.distance / total.compared) : std::nullopt,
+              total.unfinished, total.least_cost, total.most_cost);
   }
-  return data;
+  results.set(
+      "walls",
+      fmt::format("Compliant walls of {} N/m^1.5 agree with hard ones in {}, those "
+                  "of {} N/m^1.5 in {}.",
+                  name_of(stiffnesses.front()), agreement(total_of(study, 0)),
+                  name_of(stiffnesses.back()), agreement(total_of(study, stiffnesses.size() - 1))));
+  results.set("wall-cases", study.cases.size());
+  results.set("wall-speeds", study.plan.speeds.size());
+  results.set("first-speed", study.plan.speeds.front());
+  results.set("last-speed", study.plan.speeds.back());
+  results.add(std::move(table));
+  results.add(walls_chart(study));
 }
 
 Scene level_scene(const Case& the_case, double direction, double stiffness) {
@@ -221,245 +262,105 @@ LevelStudy study_levels(const LevelPlan& plan) {
   return study;
 }
 
-LevelData data_of(const LevelStudy& study) {
-  LevelData data{.stiffness = study.plan.stiffness};
-  std::vector<int> coupled(study.plan.directions.size(), 0), wrong = coupled;
-  for (const LevelRow& row : study.rows) {
-    const auto doubts = [&](Doubt doubt) { return row.doubts[static_cast<std::size_t>(doubt)]; };
-    data.speeds += row.speeds;
-    data.certain += row.certain;
-    data.resolved += row.resolved;
-    data.cases.push_back({row.id, row.speeds, share(row.certain, row.speeds), doubts(Doubt::margin),
-                          doubts(Doubt::window), doubts(Doubt::graze), doubts(Doubt::sensitive),
-                          row.resolved});
-    data.costs.push_back({row.id, row.seconds[1] / row.seconds[0], row.seconds[2] / row.seconds[0],
-                          row.seconds[3] / row.seconds[0]});
-    WrongShares& shares = data.wrong.emplace_back(WrongShares{row.id, {}});
-    for (std::size_t d = 0; d < wrong.size(); ++d) {
-      shares.shares.push_back(share(row.wrong[d], row.speeds));
-      coupled[d] += row.coupled[d];
-      wrong[d] += row.wrong[d];
-    }
-  }
-  data.certain_share = share(data.certain, data.speeds);
-  data.uncertain = data.speeds - data.certain;
-  for (std::size_t d = 0; d < wrong.size(); ++d) {
-    data.directions.push_back(
-        {study.plan.directions[d], share(coupled[d], data.speeds), share(wrong[d], data.speeds)});
-  }
-  return data;
-}
-
-std::vector<LevelCost> level_costs(const FidelityData& walls, const LevelData& levels) {
-  std::vector<LevelCost> costs = {{"hard walls", true, 1, 0}};
-  for (const FidelityTotal& wall : walls.stiffnesses) {
-    if (!wall.share || !wall.least_cost) continue;
-    costs.push_back({"stiffness " + wall.stiffness, false,
-                     std::sqrt(*wall.least_cost * *wall.most_cost), 1 - *wall.share});
-  }
-  std::vector<double> planar;
-  for (const LevelCosts& one : levels.costs) planar.push_back(one.planar);
-  std::ranges::sort(planar);
-  for (const LevelDirection& direction : levels.directions) {
-    costs.push_back({fmt::format("both directions, tan phi {:.2g}", direction.tangent), false,
-                     planar[planar.size() / 2], direction.wrong});
-  }
-  return costs;
-}
-
-PlanarNeed planar_need(const LevelData& levels) {
-  return {std::ranges::max(levels.directions, {}, &LevelDirection::wrong).wrong,
-          levels.directions.back().tangent};
-}
-
 namespace {
 
-constexpr double fastest = 18;          // [rad/s]
-constexpr double resolved = 1e-10;      // [rad/s], where the bisection ends
-constexpr double repeated_below = 0.1;  // [s]: shorter measurements are repeated three times
-
-/// The count; nothing if the simulation does not finish.
-using CountOf = std::function<std::optional<int>(const Scene& scene, double omega)>;
-
-struct TimedSimulation {
-  std::string name, kind, control;
-  CountOf count;
+/// All cases with one direction of the yarn.
+struct DirectionTotal {
+  double coupled = 0, wrong = 0;  ///< shares of the speeds
 };
 
-std::string power_of_ten(double value) {
-  return fmt::format("1e{:.0f}", std::log10(value));
-}
-
-/// A level of the model, set by `change`.
-TimedSimulation level_simulation(const std::string& name, const std::string& control,
-                                 const std::function<void(Scene&)>& change) {
-  return {name, "level", control, [change](const Scene& scene, double omega) -> std::optional<int> {
-            Scene there = scene;
-            change(there);
-            try {
-              return count_at(there, omega);
-            } catch (const std::runtime_error&) {
-              return std::nullopt;
-            }
-          }};
-}
-
-TimedSimulation method_simulation(const Integrator& integrator, double control) {
-  const bool fixed = integrator.control == "step [s]";
-  return {integrator.name, fixed ? "fixed steps" : "variable steps",
-          fmt::format("{} {}", fixed ? "step" : "tolerance", power_of_ten(control)),
-          [integrator, control](const Scene& scene, double omega) -> std::optional<int> {
-            const Scene there = at_speed(scene, omega);
-            const Outcome outcome = integrator.run(there, control);
-            return outcome.finished ? std::optional(collisions(there, outcome)) : std::nullopt;
-          }};
-}
-
-std::vector<TimedSimulation> simulations_of(const ThresholdPlan& plan,
-                                            const std::vector<Integrator>& integrators) {
-  std::vector<TimedSimulation> all = {
-      level_simulation("event-driven", "", [](Scene& scene) { scene.fidelity = Fidelity::impact; }),
-      level_simulation("auto", "", [](Scene& scene) { scene.fidelity = Fidelity::automatic; })};
-  for (const double stiffness : plan.stiffnesses) {
-    all.push_back(level_simulation("compliant", "stiffness " + power_of_ten(stiffness),
-                                   [stiffness](Scene& scene) {
-                                     scene.fidelity = Fidelity::compliant;
-                                     scene.contact_law = ContactLaw::exact_restitution;
-                                     scene.stiffness = stiffness;
-                                   }));
+DirectionTotal direction_total(const LevelStudy& study, std::size_t d) {
+  int speeds = 0, coupled = 0, wrong = 0;
+  for (const LevelRow& row : study.rows) {
+    speeds += row.speeds;
+    coupled += row.coupled[d];
+    wrong += row.wrong[d];
   }
-  for (const Integrator& integrator : integrators) {
-    if (integrator.control == "none") continue;  // the event-driven one
-    const bool fixed = integrator.control == "step [s]";
-    for (const double control : fixed ? plan.steps : plan.tolerances) {
-      all.push_back(method_simulation(integrator, control));
-    }
-  }
-  return all;
+  return {share(coupled, speeds), share(wrong, speeds)};
 }
 
-/// A machine whose fastest quiet speed is searched for.
-struct QuietProblem {
-  Scene scene;
-  double quiet_limit;
-};
-
-CaseThreshold searched(const CountOf& count, const QuietProblem& problem, double grid) {
-  CaseThreshold found;
-  const auto is_quiet = [&](double omega) {
-    const auto there = count(problem.scene, omega);
-    ++found.simulations;
-    found.unfinished += there ? 0 : 1;
-    return there && *there <= problem.quiet_limit;
-  };
-  double loud = std::numeric_limits<double>::infinity();
-  double quiet = fastest;
-  for (; quiet > grid / 2 && !is_quiet(quiet); quiet -= grid) loud = quiet;
-  if (quiet <= grid / 2) return found;
-  while (std::isfinite(loud) && loud - quiet > resolved) {
-    const double middle = (quiet + loud) / 2;
-    (is_quiet(middle) ? quiet : loud) = middle;
+/// Each level's cost over its share of counts that differ from those of hard walls in one
+/// direction.
+report::Chart levels_chart(const LevelStudy& study, const FidelityStudy& walls) {
+  report::Chart chart{.name = "levels",
+                      .title = "What the levels of the model cost, and whether their counts differ",
+                      .x = {"processor time over that of hard walls", report::Scale::logarithmic},
+                      .y = {"counts that differ from those of hard walls [%]"},
+                      .width = 640,
+                      .height = 360};
+  report::Series hard{"hard walls", report::Mark::points, {{1, 0}}};
+  report::Series compliant{"compliant walls, by stiffness", report::Mark::points, {}};
+  for (std::size_t s = 0; s < walls.plan.stiffnesses.size(); ++s) {
+    const FidelityTotal total = total_of(walls, s);
+    if (!total.share() || !total.least_cost) continue;
+    compliant.samples.push_back({std::sqrt(*total.least_cost * *total.most_cost),
+                                 100 * (1 - *total.share()),
+                                 {},
+                                 name_of(walls.plan.stiffnesses[s])});
   }
-  found.speed = quiet;
-  return found;
-}
-
-/// The minimum of three measurements, or one long one, for each simulation.
-double seconds_of(const CountOf& count, const Scene& scene, double grid) {
-  const int speeds = static_cast<int>(std::lround(fastest / grid));
-  double least = std::numeric_limits<double>::infinity();
-  for (int repeat = 0; repeat < 3; ++repeat) {
-    const double start = processor_seconds();
-    for (int k = 1; k <= speeds; ++k) count(scene, k * grid);
-    const double seconds = std::max(processor_seconds() - start, 1e-9);
-    least = std::min(least, seconds);
-    if (seconds > repeated_below) break;
-  }
-  return least / speeds;
-}
-
-/// Error of a case relative to the reference; nothing if either has no threshold.
-std::optional<double> error_in(const ThresholdStudy& study, std::size_t s, std::size_t c) {
-  const auto& found = study.simulations[s].cases[c].speed;
-  const auto& right = study.simulations.front().cases[c].speed;
-  return found && right ? std::optional(std::abs(*found - *right)) : std::nullopt;
-}
-
-SimulationRow row_of(const ThresholdStudy& study, std::size_t s) {
-  const SimulatedThresholds& one = study.simulations[s];
-  std::optional<double> least_error, error, least, most;
-  double logarithms = 0;
-  int missing = 0, unfinished = 0;
-  for (std::size_t c = 0; c < one.cases.size(); ++c) {
-    const CaseThreshold& there = one.cases[c];
-    unfinished += there.unfinished;
-    logarithms += std::log(there.seconds) / static_cast<double>(one.cases.size());
-    least = std::min(least.value_or(there.seconds), there.seconds);
-    most = std::max(most.value_or(there.seconds), there.seconds);
-    if (const auto off = error_in(study, s, c)) {
-      least_error = std::min(least_error.value_or(*off), *off);
-      error = std::max(error.value_or(*off), *off);
-    } else {
-      ++missing;
-    }
-  }
-  if (missing > 0) error = least_error = std::nullopt;
-  // If all are equal, rounding may put the mean outside their range.
-  const double mean = std::clamp(std::exp(logarithms), *least, *most);
-  return {one.simulation, one.kind, one.control, s == 0,
-          mean,           least,    most,        error,
-          least_error,    missing,  unfinished,  error && *error <= found_within};
+  std::vector<double> costs;
+  for (const LevelRow& row : study.rows) costs.push_back(row.seconds[2] / row.seconds[0]);
+  std::ranges::sort(costs);
+  double most = 0;
+  for (std::size_t d = 0; d < study.plan.directions.size(); ++d)
+    most = std::max(most, direction_total(study, d).wrong);
+  report::Series planar{
+      "both directions", report::Mark::points, {{costs[costs.size() / 2], 100 * most}}};
+  chart.series = {std::move(hard), std::move(planar), std::move(compliant)};
+  return chart;
 }
 
 }  // namespace
 
-ThresholdStudy study_thresholds(const ThresholdPlan& plan,
-                                const std::vector<Integrator>& integrators) {
-  ThresholdStudy study{plan, {}};
-  std::vector<QuietProblem> problems;
-  for (const std::string& id : plan.cases) {
-    const Case the_case = find_case(id);
-    const Scene scene = scene_of(the_case, default_machine());
-    problems.push_back({scene, quiet_limit(quiet_count(scene, the_case.claim, ScanOptions{}))});
+void add_to(report::Results& results, const LevelStudy& study, const FidelityStudy& walls) {
+  Table levels{"levels",
+               {{"case"},
+                {"speeds"},
+                {"certain", "certain [%]", ".2%"},
+                {"margin", "not: a margin"},
+                {"window", "the window"},
+                {"graze", "a graze"},
+                {"sensitive"},
+                {"resolved", "settled by compliant walls"},
+                {"compliant", "time over hard walls': compliant", ".1f"},
+                {"planar", "", ".1f"},
+                {"auto", "", ".1f"}}};
+  int speeds = 0, certain = 0, resolved = 0;
+  for (const LevelRow& row : study.rows) {
+    const auto doubts = [&](Doubt doubt) { return row.doubts[static_cast<std::size_t>(doubt)]; };
+    speeds += row.speeds;
+    certain += row.certain;
+    resolved += row.resolved;
+    levels.add(row.id, row.speeds, share(row.certain, row.speeds), doubts(Doubt::margin),
+               doubts(Doubt::window), doubts(Doubt::graze), doubts(Doubt::sensitive), row.resolved,
+               row.seconds[1] / row.seconds[0], row.seconds[2] / row.seconds[0],
+               row.seconds[3] / row.seconds[0]);
   }
-  const std::vector<TimedSimulation> simulations = simulations_of(plan, integrators);
-  for (const TimedSimulation& one : simulations) {
-    study.simulations.push_back(
-        {one.name, one.kind, one.control, std::vector<CaseThreshold>(problems.size())});
+  Table directions{"directions",
+                   {{"tangent", "tan phi"},
+                    {"coupled", "speeds that need both directions [%]", ".1%"},
+                    {"wrong", "counts that differ without [%]", ".1%"}}};
+  double most = 0;
+  for (std::size_t d = 0; d < study.plan.directions.size(); ++d) {
+    const DirectionTotal total = direction_total(study, d);
+    most = std::max(most, total.wrong);
+    directions.add(study.plan.directions[d], total.coupled, total.wrong);
   }
-  Progress progress("thresholds", static_cast<double>(2 * simulations.size()));
-  tbb::parallel_for(std::size_t{0}, simulations.size(), [&](std::size_t s) {
-    for (std::size_t c = 0; c < problems.size(); ++c) {
-      study.simulations[s].cases[c] = searched(simulations[s].count, problems[c], plan.grid);
-    }
-    progress.advance(1);
-  });
-  for (std::size_t s = 0; s < simulations.size(); ++s) {  // sequentially, since times are measured
-    for (std::size_t c = 0; c < problems.size(); ++c) {
-      study.simulations[s].cases[c].seconds =
-          seconds_of(simulations[s].count, problems[c].scene, plan.timed_grid);
-    }
-    progress.advance(1);
-  }
-  return study;
-}
-
-ThresholdData data_of(const ThresholdStudy& study) {
-  ThresholdData data{.family = "top-speed",
-                     .formulations = {"count", "penalised-count"},
-                     .names = study.plan.cases,
-                     .tolerance = found_within,
-                     .tried = study.simulations.size()};
-  for (std::size_t c = 0; c < study.plan.cases.size(); ++c) {
-    data.cases.push_back({study.plan.cases[c], study.simulations.front().cases[c].speed});
-  }
-  for (std::size_t s = 0; s < study.simulations.size(); ++s) {
-    const SimulationRow& row = data.simulations.emplace_back(row_of(study, s));
-    if (!row.within) continue;
-    ++data.within;
-    if (!data.cheapest || row.seconds < data.cheapest->seconds) data.cheapest = row;
-  }
-  return data;
+  results.set(
+      "levels-finding",
+      fmt::format("Hard walls give a certain count at {} of {} speeds of the paper's cases; "
+                  "compliant walls settle {} of the {} others.",
+                  certain, speeds, resolved, speeds - certain));
+  results.set("planar",
+              fmt::format("The second direction, across the track, changes {} of the counts in the "
+                          "paper's cases, up to a lateral yarn pull of {:.2g} times that along the "
+                          "track. Both sides of this comparison have the same friction.",
+                          most == 0 ? "none" : fmt::format("at most {:.2g} %", 100 * most),
+                          study.plan.directions.back()));
+  results.set("level-stiffness", study.plan.stiffness);
+  results.add(std::move(levels));
+  results.add(std::move(directions));
+  results.add(levels_chart(study, walls));
 }
 
 }  // namespace ricochet::studies::dynamics

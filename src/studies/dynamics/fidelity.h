@@ -9,7 +9,7 @@
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/counting/certainty.h"
 #include "problems/carrier_track/suite/cases.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Hard against compliant walls: does the count differ, and at what cost?
 namespace ricochet::studies::dynamics {
@@ -42,41 +42,19 @@ struct FidelityStudy {
 /// Every case of the paper, with the law exact-restitution.
 FidelityStudy study_fidelity(const FidelityPlan& plan);
 
-/// All cases with one stiffness.
+/// All cases with one stiffness: a row of the table "walls".
 struct FidelityTotal {
-  std::string stiffness = {};
-  int compared = 0;
-  int equal = 0;
-  std::optional<double> share = {},
-                        distance = {};  ///< equal, and the mean distance, of those compared
-  int unfinished = 0;
+  int compared = 0, equal = 0, unfinished = 0;
+  double distance = 0;                                    ///< sum of the count differences
   std::optional<double> least_cost = {}, most_cost = {};  ///< of a case
-};
-RICOCHET_FIELDS(FidelityTotal, stiffness, compared, equal, share, distance, unfinished, least_cost,
-                most_cost);
 
-struct FidelityShares {
-  std::string case_;
-  std::vector<std::optional<double>> equal;  ///< one for each stiffness
+  std::optional<double> share() const {
+    return compared > 0 ? std::optional(static_cast<double>(equal) / compared) : std::nullopt;
+  }
 };
-RICOCHET_FIELDS(FidelityShares, case_, equal);
 
-struct TriedSpeeds {
-  std::size_t tried;
-  double first, last;  ///< [rad/s]
-};
-RICOCHET_FIELDS(TriedSpeeds, tried, first, last);
-
-struct FidelityData {
-  std::size_t cases;
-  TriedSpeeds speeds;
-  std::vector<FidelityTotal> stiffnesses;
-  std::vector<FidelityShares> shares;
-};
-RICOCHET_FIELDS(FidelityData, cases, speeds, stiffnesses, shares);
-
-/// Where the counts of compliant and hard walls differ.
-FidelityData data_of(const FidelityStudy& study);
+/// Adds where the counts of compliant and hard walls differ.
+void add_to(report::Results& results, const FidelityStudy& study);
 
 // Which level of the model does a scene need? Errors of the cheaper levels, and the cost of each.
 
@@ -114,68 +92,9 @@ struct LevelStudy {
 /// not in the paper's objective, has the clearance of the first, with the carrier in its middle.
 LevelStudy study_levels(const LevelPlan& plan);
 
-/// All cases with one direction of the yarn.
-struct LevelDirection {
-  double tangent, coupled, wrong;  ///< the latter two as shares of the speeds
-};
-RICOCHET_FIELDS(LevelDirection, tangent, coupled, wrong);
-
-/// How certain a case's counts are, and the reasons if they are not.
-struct LevelCase {
-  std::string case_;
-  int speeds;
-  double certain;  ///< share
-  int margin, window, graze, sensitive, resolved;
-};
-RICOCHET_FIELDS(LevelCase, case_, speeds, certain, margin, window, graze, sensitive, resolved);
-
-/// Processor time of a count relative to hard walls in one direction.
-struct LevelCosts {
-  std::string case_;
-  double compliant, planar, automatic;
-};
-RICOCHET_FIELDS(LevelCosts, case_, compliant, planar, automatic);
-
-struct WrongShares {
-  std::string case_;
-  std::vector<double> shares;  ///< one for each direction
-};
-RICOCHET_FIELDS(WrongShares, case_, shares);
-
-struct LevelData {
-  double stiffness = {};
-  std::vector<LevelDirection> directions = {};
-  std::vector<LevelCase> cases = {};
-  std::vector<LevelCosts> costs = {};
-  std::vector<WrongShares> wrong = {};
-  int speeds = 0, certain = 0;
-  double certain_share = 0;
-  int uncertain = 0, resolved = 0;
-};
-RICOCHET_FIELDS(LevelData, stiffness, directions, cases, costs, wrong, speeds, certain,
-                certain_share, uncertain, resolved);
-
-/// Which level a scene needs, the errors of the cheaper ones, and the cost of each.
-LevelData data_of(const LevelStudy& study);
-
-/// A level of the model over all cases: its cost, and how often its count differs from that of hard
-/// walls in one direction, the reference.
-struct LevelCost {
-  std::string level;
-  bool reference;
-  std::optional<double> cost, wrong;  ///< processor time over that of the reference; a share
-};
-RICOCHET_FIELDS(LevelCost, level, reference, cost, wrong);
-
-/// Whether the second direction is needed.
-struct PlanarNeed {
-  double most_wrong;       ///< largest share of wrong counts without it
-  double largest_tangent;  ///< of the pull across to the pull along
-};
-RICOCHET_FIELDS(PlanarNeed, most_wrong, largest_tangent);
-
-std::vector<LevelCost> level_costs(const FidelityData& walls, const LevelData& levels);
-PlanarNeed planar_need(const LevelData& levels);
+/// Adds which level a scene needs, the errors of the cheaper ones, and the cost of each, those of
+/// compliant walls too.
+void add_to(report::Results& results, const LevelStudy& study, const FidelityStudy& walls);
 
 // The fastest quiet speed by every method of simulation: its cost and its error.
 
@@ -217,42 +136,7 @@ struct ThresholdStudy {
 ThresholdStudy study_thresholds(const ThresholdPlan& plan,
                                 const std::vector<carrier_track::Integrator>& integrators);
 
-/// Cost and error of one method of simulation over the cases.
-struct SimulationRow {
-  std::string simulation, kind, control;
-  bool reference;
-  double seconds;  ///< per simulation: geometric mean of the cases
-  std::optional<double> seconds_least, seconds_most;
-  std::optional<double> error, error_least;  ///< [rad/s], largest and smallest; none if any missing
-  int missing, unfinished;
-  bool within;
-};
-RICOCHET_FIELDS(SimulationRow, simulation, kind, control, reference, seconds, seconds_least,
-                seconds_most, error, error_least, missing, unfinished, within);
-
-struct ReferenceThreshold {
-  std::string case_;
-  std::optional<double> threshold;  ///< [rad/s]
-};
-RICOCHET_FIELDS(ReferenceThreshold, case_, threshold);
-
-struct ThresholdData {
-  std::string family = {};  ///< of problems whose answers are the thresholds
-  std::vector<std::string> formulations =
-      {};                               ///< of these, those in which an evaluation is a simulation
-  std::vector<std::string> names = {};  ///< of the cases
-  std::vector<ReferenceThreshold> cases = {};
-  double tolerance = {};
-  std::vector<SimulationRow> simulations = {};
-  std::optional<SimulationRow> cheapest = {};  ///< of those within the tolerance
-  double level = 0;
-  int within = 0;
-  std::size_t tried = 0;
-};
-RICOCHET_FIELDS(ThresholdData, family, formulations, names, cases, tolerance, simulations, cheapest,
-                level, within, tried);
-
-/// Cost and error of every simulation.
-ThresholdData data_of(const ThresholdStudy& study);
+/// Adds cost and error of every simulation.
+void add_to(report::Results& results, const ThresholdStudy& study);
 
 }  // namespace ricochet::studies::dynamics

@@ -263,7 +263,7 @@ std::optional<int> impacts_until_parted(const Scene& scene) {
 }
 
 LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
-  LyapunovStudy study{plan, {}, {}, 0, 0, {}, {}};
+  LyapunovStudy study{plan, {}, {}, {}};
   const std::vector<Case> cases = all_cases();
   Progress progress("chaos", static_cast<double>(cases.size()));
   for (const Case& the_case : cases) {
@@ -273,17 +273,6 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
     scene.window = Revolutions{plan.turns};
     for (const double omega : plan.speeds) row.push_back(sensitivity_of(at_speed(scene, omega)));
     progress.advance(1);
-  }
-  Scene shaken = benchmark_scene("mild", 1);
-  study.restitution = shaken.restitution_lower;
-  study.period = 2 * std::numbers::pi / shaken.disturbance_frequency;
-  shaken.window = Seconds{10 * plan.turns * study.period};
-  const double amplitude =
-      shaken.disturbance / shaken.mass / std::pow(shaken.disturbance_frequency, 2);
-  for (const double gap : plan.gaps) {
-    shaken.wall_upper = gap * amplitude;
-    shaken.start_position = 0.5 * shaken.wall_upper;
-    study.shaken.push_back(sensitivity_of(shaken));
   }
   constexpr double omega = 10;
   for (const char* id : {"C2", "C10"}) {
@@ -300,123 +289,136 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::Direction;
+using report::Mark;
+using report::Series;
 
 using std::numbers::pi;
-const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
-
-/// Digits lost by a motion; null if it loses all.
-Json digits_of(const Sensitivity& motion) {
-  return motion.chaotic() ? Json() : Json(motion.digits_lost);
-}
-
-/// By impact, as far as it is drawn.
-Json drawn_digits(const Course& course) {
-  Json drawn = Json::array();
-  for (const double digits : course.digits_lost) {
-    if (digits > 22) break;
-    drawn.push_back(std::max(digits, -2.0));
-  }
-  return drawn;
-}
-
-/// Growth per period of the shaking over the gap, with the values of closed forms.
-Json shaken_data(const LyapunovStudy& study) {
-  Json gaps = Json::array();
-  for (std::size_t k = 0; k < study.shaken.size(); ++k) {
-    const Sensitivity& shaken = study.shaken[k];
-    gaps.push_back({{"gap", study.plan.gaps[k]},
-                    {"growth", shaken.growth * study.period},
-                    {"rests", !shaken.exponent()}});
-  }
-  const double rho = (1 - study.restitution) / (1 + study.restitution);
-  return {{"gaps", std::move(gaps)},
-          {"growth", 2 * std::log(study.restitution)},
-          {"stable_from", (pi * pi - 4) / std::hypot(2, pi * rho)},
-          {"stable_to", std::hypot(pi, 2 * rho) / rho}};
-}
+const double all_digits = 53 * std::log10(2.0);      // of a double: 15.95
+constexpr double most_drawn = 22, least_drawn = -2;  // digits
 
 /// All motions of the paper's cases together.
-Json cases_data(const LyapunovStudy& study) {
+struct CaseMotions {
   int runs = 0, chaotic = 0, forgetting = 0;
-  double digits = 0, speed = 0;  // worst case, and its speed [rad/s]
-  std::string worst;
-  double least_rests = 1e300, most_rests = 0;  // per turn, if there are several
+  double digits = 0, speed = 0;                ///< lost by the worst motion, and its speed [rad/s]
+  std::string worst;                           ///< its case
+  double least_rests = 1e300, most_rests = 0;  ///< a turn, if there are several
+};
+
+CaseMotions motions_of(const LyapunovStudy& study) {
+  CaseMotions all;
   for (std::size_t c = 0; c < study.cells.size(); ++c) {
     for (std::size_t s = 0; s < study.cells[c].size(); ++s) {
       const Sensitivity& cell = study.cells[c][s];
-      ++runs;
-      chaotic += cell.chaotic();
-      forgetting += !cell.exponent();
-      if (cell.digits_lost > digits) {
-        digits = cell.digits_lost;
-        speed = study.plan.speeds[s];
-        worst = study.cases[c];
+      ++all.runs;
+      all.chaotic += cell.chaotic();
+      all.forgetting += !cell.exponent();
+      if (cell.digits_lost > all.digits) {
+        all.digits = cell.digits_lost;
+        all.speed = study.plan.speeds[s];
+        all.worst = study.cases[c];
       }
       const double rests = cell.rests_on_wall * 2 * pi / study.plan.speeds[s];
       if (rests * study.plan.turns < 1.5) continue;
-      least_rests = std::min(least_rests, rests);
-      most_rests = std::max(most_rests, rests);
+      all.least_rests = std::min(all.least_rests, rests);
+      all.most_rests = std::max(all.most_rests, rests);
     }
   }
-  return {{"runs", runs},
-          {"chaotic", chaotic},
-          {"any_chaotic", chaotic > 0},
-          {"forgetting", forgetting},
-          {"all_forget", forgetting == runs},
-          {"worst", {{"case", worst}, {"speed", speed}, {"digits", digits}}},
-          {"no_chance", chaotic == 0 && digits < 0.5 * all_digits},
-          {"least_rests", least_rests},
-          {"most_rests", most_rests}};
+  return all;
 }
 
-Json data_of(const Course& course) {
-  const Sensitivity& sensitivity = course.sensitivity;
-  const double digits = sensitivity.growth / sensitivity.impacts / std::numbers::ln10;
-  std::vector<int> parted = course.parted;
-  std::sort(parted.begin(), parted.end());
-  const bool any = !parted.empty();
-  return {{"motion", course.name},
-          {"impacts", course.impacts},
-          {"digits_an_impact", digits},
-          {"left_after_30", all_digits - 30 * digits},
-          {"digits_at_worst", sensitivity.digits_lost},
-          {"trusted", sensitivity.digits_lost <= all_digits},
-          {"foretold", sensitivity.impacts_foretold()},
-          {"parted", parted.size()},
-          {"first_parted", any ? Json(parted.front()) : Json()},
-          {"half_parted", any ? Json(parted[parted.size() / 2]) : Json()}};
+std::string finding_of(const LyapunovStudy& study, const CaseMotions& all) {
+  const bool by_chance = all.chaotic > 0 || all.digits >= 0.5 * all_digits;
+  return fmt::format(
+      "{} of {} motions of the paper's cases are chaotic ({} cases at {} speeds from {:g} to {:g} "
+      "rad/s, {:g} turns each). In {} of them the carrier rests on a wall, and there forgets its "
+      "start entirely, in {} it never does; before, it loses {:.1f} of 16 digits at worst, in {} "
+      "at {:g} rad/s.{}",
+      all.chaotic, all.runs, study.cases.size(), study.plan.speeds.size(),
+      study.plan.speeds.front(), study.plan.speeds.back(), study.plan.turns, all.forgetting,
+      all.runs - all.forgetting, all.digits, all.worst, all.speed,
+      by_chance ? ""
+                : " So no count is a matter of chance: where a count jumps, an impact has crossed "
+                  "the counting limit or the end of the window.");
+}
+
+/// Digits that each case loses at each speed; nothing where it loses all.
+Chart digits_chart(const LyapunovStudy& study, const CaseMotions& all) {
+  Chart chart{.name = "lyapunov-digits",
+              .title = fmt::format("At worst {:.1f} of 16 digits of the start are lost, in {} at "
+                                   "{:g} rad/s",
+                                   all.digits, all.worst, all.speed),
+              .x = {"speed [rad/s]"},
+              .y = {"case"},
+              .heat_map = report::HeatMap{"digits lost", {}, report::Range{0, 16}},
+              .width = 860,
+              .height = 420};
+  for (const double speed : study.plan.speeds)
+    chart.x.categories.push_back(fmt::format("{:g}", speed));
+  for (std::size_t c = study.cases.size(); c-- > 0;) {
+    chart.y.categories.push_back(study.cases[c]);
+    auto& row = chart.heat_map->rows.emplace_back();
+    for (const Sensitivity& cell : study.cells[c])
+      row.push_back(cell.chaotic() ? std::nullopt : std::optional(cell.digits_lost));
+  }
+  return chart;
+}
+
+Chart courses_chart(const LyapunovStudy& study) {
+  const Sensitivity& chaotic = study.courses.back().sensitivity;
+  Chart chart{.name = "lyapunov-courses",
+              .title = fmt::format("The chaotic scene loses {:.2f} digits an impact; the paper's "
+                                   "cases forget at every rest",
+                                   chaotic.growth / chaotic.impacts / std::numbers::ln10),
+              .x = {"impacts since the start"},
+              .y = {.label = "decimal digits of the start lost",
+                    .range = report::Range{least_drawn, most_drawn}},
+              .lines = {{Direction::horizontal, all_digits, "nothing left of 16 digits"}},
+              .width = 640,
+              .height = 360};
+  for (const Course& course : study.courses) {
+    Series& series = chart.series.emplace_back(Series{course.name, Mark::line, {}});
+    for (const double digits : course.digits_lost) {
+      if (digits > most_drawn) break;
+      series.samples.push_back(
+          {static_cast<double>(series.samples.size()), std::max(digits, least_drawn)});
+    }
+  }
+  return chart;
 }
 
 }  // namespace
 
-Json data_of(const LyapunovStudy& study) {
-  const std::vector<double>& speeds = study.plan.speeds;
-  const auto course_data = [](const Course& course) { return data_of(course); };
-  const auto losses_of = [](const Course& course) -> Json {
-    return {{"motion", course.name}, {"digits", drawn_digits(course)}};
-  };
-  const Json courses = report::list_of(study.courses, course_data);
-  Json digits = Json::array();
-  for (std::size_t c = 0; c < study.cases.size(); ++c) {
-    digits.push_back(
-        {{"case", study.cases[c]}, {"digits", report::list_of(study.cells[c], digits_of)}});
+void add_to(report::Results& results, const LyapunovStudy& study) {
+  Table courses{"lyapunov-courses",
+                {{"motion"},
+                 {"digits_an_impact", "digits lost an impact", ".3f"},
+                 {"digits_at_worst", "at worst before a rest", ".1f"},
+                 {"foretold", "all lost by impact", ".0f"},
+                 {"parted", "pairs of runs that part"},
+                 {"first_parted", "the first at impact"},
+                 {"half_parted", "half by impact"}}};
+  for (const Course& course : study.courses) {
+    const Sensitivity& sensitivity = course.sensitivity;
+    std::vector<int> parted = course.parted;
+    std::sort(parted.begin(), parted.end());
+    const bool any = !parted.empty();
+    courses.add(
+        course.name, sensitivity.growth / sensitivity.impacts / std::numbers::ln10,
+        sensitivity.digits_lost,
+        sensitivity.digits_lost > all_digits ? sensitivity.impacts_foretold() : std::nullopt,
+        parted.size(), any ? std::optional(parted.front()) : std::nullopt,
+        any ? std::optional(parted[parted.size() / 2]) : std::nullopt);
   }
-  return {{"speeds",
-           {{"tried", speeds.size()},
-            {"first", speeds.front()},
-            {"last", speeds.back()},
-            {"all", speeds}}},
-          {"turns", study.plan.turns},
-          {"pairs", study.plan.starts},
-          {"cases", cases_data(study)},
-          {"lively", courses.front()},
-          {"chaotic", courses.back()},
-          {"courses", courses},
-          {"all_digits", all_digits},
-          {"losses", report::list_of(study.courses, losses_of)},
-          {"digits", std::move(digits)},
-          {"shaken", shaken_data(study)}};
+  const CaseMotions all = motions_of(study);
+  results.set("chaos-finding", finding_of(study, all));
+  results.set("least-rests", all.most_rests > 0 ? std::optional(all.least_rests) : std::nullopt);
+  results.set("most-rests", all.most_rests > 0 ? std::optional(all.most_rests) : std::nullopt);
+  results.set("pairs", study.plan.starts);
+  results.add(std::move(courses));
+  results.add(digits_chart(study, all));
+  results.add(courses_chart(study));
 }
 
 }  // namespace ricochet::studies::dynamics

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ricochet/scene.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Does a motion forget its start, or is it chaotic? Uses exact derivatives instead of pairs of
 /// runs.
@@ -61,7 +61,6 @@ std::optional<int> impacts_until_parted(const carrier_track::Scene& scene);
 struct LyapunovPlan {
   std::vector<double> speeds;  ///< [rad/s], of the paper's cases
   double turns;                ///< of the driver plate, window of each
-  std::vector<double> gaps;    ///< of a shaken gap, in amplitudes of the shaking
   int starts;                  ///< pairs of runs that may diverge
 };
 
@@ -78,16 +77,13 @@ struct LyapunovStudy {
   LyapunovPlan plan;
   std::vector<std::string> cases;               ///< ids
   std::vector<std::vector<Sensitivity>> cells;  ///< a row for each case, a cell for each speed
-  double restitution;                           ///< of the shaken gap
-  double period;                                ///< [s], of its shaking
-  std::vector<Sensitivity> shaken;              ///< one for each gap
   std::vector<Course> courses;                  ///< C2, C10, and the chaotic scene
 };
 
-/// Every case of the paper, the scene "mild" with other gaps, and the courses.
+/// Every case of the paper, and the courses.
 LyapunovStudy study_lyapunov(const LyapunovPlan& plan);
 
-/// Which motions are chaotic, and for how many impacts a simulation can be trusted.
-report::Json data_of(const LyapunovStudy& study);
+/// Adds which motions are chaotic, and for how many impacts a simulation can be trusted.
+void add_to(report::Results& results, const LyapunovStudy& study);
 
 }  // namespace ricochet::studies::dynamics

@@ -1,5 +1,7 @@
 #include "src/studies/dynamics/stability.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -282,7 +284,10 @@ StabilityStudy study_stability(const StabilityPlan& plan) {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::Mark;
+using report::Scale;
+using report::Series;
 
 /// The words of a legend, and its order.
 constexpr std::pair<Behaviour, const char*> behaviours[] = {
@@ -293,21 +298,16 @@ constexpr std::pair<Behaviour, const char*> behaviours[] = {
     {Behaviour::too_many, "too many impacts"},
     {Behaviour::gives_up, "gives up"}};
 
-int right_counts(const StabilityMap& map) {
-  int right = 0;
-  for (const auto& row : map.cells) {
-    right += static_cast<int>(
-        std::ranges::count(row, Behaviour::right_count, &StabilityCell::behaviour));
-  }
-  return right;
-}
-
 int runs_of(const StabilityMap& map) {
   return static_cast<int>(map.cells.size() * map.controls.size());
 }
 
 int wrong_runs(const StabilityMap& map) {
-  return runs_of(map) - right_counts(map);
+  int wrong = 0;
+  for (const auto& row : map.cells) {
+    for (const StabilityCell& cell : row) wrong += cell.behaviour != Behaviour::right_count;
+  }
+  return wrong;
 }
 
 /// Ratio of the cost of a method's cheapest right count on the stiffest and on the softest walls;
@@ -320,130 +320,149 @@ std::optional<double> growth(const StabilityMap& map) {
 }
 
 /// The runs by behaviour, and the stability limit of linear theory.
-Json map_data(const StabilityStudy& study, const StabilityMap& map) {
+Chart map_chart(const StabilityStudy& study, const StabilityMap& map) {
   const auto& stiffnesses = study.plan.stiffnesses;
-  const auto bound = spring_bound(map.method);
-  Json data = {{"method", map.method},
-               {"control", map.control},
-               {"bound", bound},
-               {"runs", runs_of(map)},
-               {"wrong", wrong_runs(map)},
-               {"bottom", map.controls.back() / 2},
-               {"top", map.controls.front() * 2},
-               {"behaviours", Json::array()},
-               {"border", Json::array()}};
+  const double top = map.controls.front() * 2;
+  Chart chart{.name = "stability",
+              .title = fmt::format("{} on compliant walls: {} of {} runs miss or invent impacts, "
+                                   "or fail",
+                                   map.method, wrong_runs(map), runs_of(map)),
+              .x = {"stiffness of the walls [N/m^1.5]", Scale::logarithmic,
+                    report::Range{stiffnesses.front() / 3, stiffnesses.back() * 3}},
+              .y = {map.control, Scale::logarithmic, report::Range{map.controls.back() / 2, top}},
+              .width = 640,
+              .height = 400};
   for (const auto& [behaviour, words] : behaviours) {
-    Json runs = Json::array();
+    Series series{words, Mark::points, {}};
     for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
       for (std::size_t c = 0; c < map.controls.size(); ++c) {
-        if (map.cells[s][c].behaviour != behaviour) continue;
-        runs.push_back({{"stiffness", stiffnesses[s]}, {"control", map.controls[c]}});
+        if (map.cells[s][c].behaviour == behaviour)
+          series.samples.push_back({stiffnesses[s], map.controls[c]});
       }
     }
-    data["behaviours"].push_back({{"behaviour", words}, {"runs", std::move(runs)}});
+    if (!series.samples.empty()) chart.series.push_back(std::move(series));
   }
-  for (std::size_t s = 0; bound && s < stiffnesses.size(); ++s) {
-    const double step = *bound / study.frequencies[s];
-    if (step < data["top"])
-      data["border"].push_back({{"stiffness", stiffnesses[s]}, {"step", step}});
+  if (const auto bound = spring_bound(map.method)) {
+    Series border{fmt::format("h w = {:.3g}", *bound), Mark::line, {}};
+    for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
+      const double step = *bound / study.frequencies[s];
+      if (step < top) border.samples.push_back({stiffnesses[s], step});
+    }
+    chart.series.push_back(std::move(border));
   }
-  return data;
+  return chart;
 }
 
-/// Cost by stiffness.
-template <class Evaluations>
-Json costs_of(const StabilityStudy& study, const Evaluations& evaluations_of) {
-  Json costs = Json::array();
-  for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
-    costs.push_back({{"stiffness", study.plan.stiffnesses[s]}, {"evaluations", evaluations_of(s)}});
+Chart cost_chart(const StabilityStudy& study) {
+  Chart chart{.name = "stability-cost",
+              .title = "A right count costs fixed steps more and more on stiff walls",
+              .x = {"stiffness of the walls [N/m^1.5]", Scale::logarithmic},
+              .y = {"evaluations of the force per impact", Scale::logarithmic},
+              .width = 640,
+              .height = 360};
+  for (const StabilityMap& map : study.maps) {
+    Series& series = chart.series.emplace_back(Series{map.method, Mark::line, {}});
+    for (std::size_t s = 0; s < map.cells.size(); ++s) {
+      const auto cell = cheapest_right(map.cells[s]);
+      series.samples.push_back(
+          {study.plan.stiffnesses[s], cell ? std::optional(cell->evaluations) : std::nullopt});
+    }
   }
-  return costs;
+  return chart;
 }
 
-Json right_costs(const StabilityStudy& study, const StabilityMap& map) {
-  return costs_of(study, [&](std::size_t s) {
-    const auto cell = cheapest_right(map.cells[s]);
-    return cell ? Json(cell->evaluations) : Json();
-  });
+Chart return_chart(const StabilityStudy& study) {
+  const ReturnCurve& first = study.returns.front();
+  const auto from = onset(first, 1 / 0.9);
+  Chart chart{.name = "stability-return",
+              .title = from ? fmt::format("An elastic wall returns a ninth too much from a step of "
+                                          "{:.2f}/w on ({})",
+                                          *from, first.method)
+                            : "What an elastic wall returns",
+              .x = {"step times frequency of the wall, h w"},
+              .y = {"speed after over speed before", Scale::logarithmic},
+              .width = 720,
+              .height = 360};
+  for (const char* method : {"semi-implicit-euler", "runge-kutta-4"}) {
+    chart.lines.push_back(
+        {report::Direction::vertical, *spring_bound(method), "bounds of theory, 2 and 2.83"});
+  }
+  for (const ReturnCurve& curve : study.returns) {
+    Series& series = chart.series.emplace_back(
+        Series{fmt::format("{}, force ~ depth^{}", curve.method, curve.exponent), Mark::line, {}});
+    for (const Return& point : curve.returns)
+      series.samples.push_back({point.scaled_step, point.ratio});
+  }
+  return chart;
 }
 
-Json rest_costs(const StabilityStudy& study, const RestCost& cost) {
-  return costs_of(study, [&](std::size_t s) {
-    return cost.rests[s].depth_error ? Json(cost.rests[s].evaluations) : Json();
-  });
-}
-
-Json curve_of(const ReturnCurve& curve) {
-  const auto point_of = [](const Return& point) -> Json {
-    return {{"scaled_step", point.scaled_step}, {"ratio", point.ratio}};
-  };
-  return {{"method", curve.method},
-          {"exponent", curve.exponent},
-          {"onset", onset(curve, 1 / 0.9)},
-          {"points", report::list_of(curve.returns, point_of)}};
-}
-
-Json data_of(const Rest& rest) {
-  return {{"evaluations", rest.evaluations}, {"error", rest.depth_error}};
+std::string finding_of(const StabilityStudy& study) {
+  std::vector<std::string> borders, failing;
+  int wrong = 0, runs = 0;
+  for (const StabilityMap& map : study.maps) {
+    if (spring_bound(map.method)) {
+      borders.push_back(
+          fmt::format("{:.2f}/w by {}", border_of(map, study.frequencies).lowest_bad, map.method));
+      continue;
+    }
+    runs += runs_of(map);
+    const int failed = wrong_runs(map);
+    wrong += failed;
+    if (failed > 0) failing.push_back(fmt::format("{} {}", map.method, failed));
+  }
+  return fmt::format(
+      "With fixed steps a stiff wall throws a body back faster than it came, or lets it through, "
+      "from a step of {} on, with w the frequency of the body on the wall. Methods that control "
+      "their error count right in {} of {} runs and wrong in {}{}.",
+      fmt::join(borders, " and "), runs - wrong, runs, wrong,
+      failing.empty() ? "" : fmt::format(" ({})", fmt::join(failing, ", ")));
 }
 
 }  // namespace
 
-Json data_of(const StabilityStudy& study) {
-  const std::vector<double>& stiffnesses = study.plan.stiffnesses;
-  Json data = {{"softest", stiffnesses.front()},
-               {"stiffest", stiffnesses.back()},
-               {"left", stiffnesses.front() / 3},
-               {"right", stiffnesses.back() * 3},
-               {"phases", study.plan.phases},
-               {"rest_seconds", rest_seconds},
-               {"rest_tolerance", rest_tolerance},
-               {"hard",
-                {{"method", study.hard.method},
-                 {"right", right_counts(study.hard)},
-                 {"steps", study.hard.controls.size()}}}};
-  for (const char* list : {"borders", "failing", "growths", "rests", "resting", "restless",
-                           "rest_costs", "fixed_maps", "adaptive_maps"}) {
-    data[list] = Json::array();
-  }
-  int wrong = 0, runs = 0;
+void add_to(report::Results& results, const StabilityStudy& study) {
+  Table table{"stability",
+              {{"method"},
+               {"wrong", "runs wrong"},
+               {"runs", "of"},
+               {"growth", "cost of a right count, stiffest over softest", ".0f"},
+               {"highest_good", "largest h w without gain", ".2f"},
+               {"lowest_bad", "smallest with gain", ".2f"},
+               {"bound", "bound of theory", ".2f"},
+               {"rest_soft", "evaluations at rest, softest", ".0f"},
+               {"rest_stiff", "stiffest", ".0f"},
+               {"depth_error", "error of the depth there", ".0e"}}};
   for (const StabilityMap& map : study.maps) {
-    data["growths"].push_back(
-        {{"method", map.method}, {"growth", growth(map)}, {"costs", right_costs(study, map)}});
-    if (const auto bound = spring_bound(map.method)) {
-      const Border border = border_of(map, study.frequencies);
-      data["borders"].push_back({{"method", map.method},
-                                 {"highest_good", border.highest_good},
-                                 {"lowest_bad", border.lowest_bad},
-                                 {"bound", *bound}});
-      data["fixed_maps"].push_back(map_data(study, map));
-      continue;
-    }
-    const int failed = wrong_runs(map);
-    wrong += failed;
-    runs += runs_of(map);
-    if (failed > 0) data["failing"].push_back({{"method", map.method}, {"wrong", failed}});
-    data["adaptive_maps"].push_back(map_data(study, map));
+    const auto bound = spring_bound(map.method);
+    const auto border = bound ? std::optional(border_of(map, study.frequencies)) : std::nullopt;
+    const auto cost = std::ranges::find(study.rests, map.method, &RestCost::method);
+    const bool rests = cost != study.rests.end();
+    table.add(map.method, wrong_runs(map), runs_of(map), growth(map),
+              value_of(border, &Border::highest_good), value_of(border, &Border::lowest_bad), bound,
+              rests ? std::optional(cost->rests.front().evaluations) : std::nullopt,
+              rests ? std::optional(cost->rests.back().evaluations) : std::nullopt,
+              rests ? cost->rests.back().depth_error : std::nullopt);
+    report::Part part{map.method, map.method, {}};
+    part.results.add(map_chart(study, map));
+    results.add("penalty", std::move(part));
   }
-  data["any_failing"] = wrong > 0;
-  data["wrong"] = wrong;
-  data["runs"] = runs;
-  data["returns"] = report::list_of(study.returns, curve_of);
-  data["orders"] = report::list_of(study.orders, [](const EdgeOrder& order) -> Json {
-    return {{"wall", order.wall},
-            {"expected", order.expected},
-            {"measured", order.measured},
-            {"error", order.error}};
-  });
-  for (const RestCost& cost : study.rests) {
-    const auto& error = cost.rests.back().depth_error;
-    data[error && *error < 1e-9 ? "resting" : "restless"].push_back(cost.method);
-    data["rest_costs"].push_back({{"method", cost.method}, {"costs", rest_costs(study, cost)}});
-    data["rests"].push_back({{"method", cost.method},
-                             {"soft", data_of(cost.rests.front())},
-                             {"stiff", data_of(cost.rests.back())}});
-  }
-  return data;
+  Table orders{"edge-orders",
+               {{"wall"}, {"expected", "", ".1f"}, {"measured", "", ".2f"}, {"error", "", ".1e"}}};
+  for (const EdgeOrder& order : study.orders)
+    orders.add(order.wall, order.expected, order.measured, order.error);
+  results.set("stiff-finding", finding_of(study));
+  results.set("softest", study.plan.stiffnesses.front());
+  results.set("stiffest", study.plan.stiffnesses.back());
+  results.set("phases", study.plan.phases);
+  results.set("rest-seconds", rest_seconds);
+  results.set("rest-tolerance", rest_tolerance);
+  results.set("hard-method", study.hard.method);
+  results.set("hard-right", runs_of(study.hard) - wrong_runs(study.hard));
+  results.set("hard-steps", runs_of(study.hard));
+  results.add(std::move(table));
+  results.add(std::move(orders));
+  results.add(cost_chart(study));
+  results.add(return_chart(study));
 }
 
 }  // namespace ricochet::studies::dynamics

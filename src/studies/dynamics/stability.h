@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/check/integrator.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Where penalty methods fail on stiff walls: maps over stiffness and step or tolerance, energy
 /// gained at a wall, and the order of convergence with an unlocated edge of contact.
@@ -126,7 +126,7 @@ RestCost rest_cost(const carrier_track::Integrator& integrator,
 
 StabilityStudy study_stability(const StabilityPlan& plan);
 
-/// Where penalty methods count wrong, gain energy or give up.
-report::Json data_of(const StabilityStudy& study);
+/// Adds where penalty methods count wrong, gain energy or give up.
+void add_to(report::Results& results, const StabilityStudy& study);
 
 }  // namespace ricochet::studies::dynamics

@@ -30,7 +30,7 @@ struct StudyPlan {
 };
 
 /// The results are reproducible, except for the times.
-report::Json results_of(const StudyPlan& plan);
+report::Results results_of(const StudyPlan& plan);
 
 }  // namespace dynamics
 

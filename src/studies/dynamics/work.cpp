@@ -8,9 +8,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "problems/carrier_track/motion/impact_model.h"
-#include "problems/carrier_track/motion/simulate.h"
-#include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "src/core/time_limit.h"
@@ -134,7 +131,11 @@ std::optional<Trial> loosest_within(const MethodWork& method, double limit) {
 
 namespace {
 
-using report::Json;
+using report::Chart;
+using report::Direction;
+using report::Mark;
+using report::Scale;
+using report::Series;
 
 constexpr std::size_t named_every = 6;  ///< dots with their tolerance or step beside them
 
@@ -160,15 +161,6 @@ std::optional<double> evaluations_ratio(const SceneWork& work, const MethodWork&
   return static_cast<double>(trial->force_evaluations) / static_cast<double>(own);
 }
 
-/// A small ratio is shown with one decimal.
-Json data_of(const std::optional<double>& ratio) {
-  return {{"ratio", ratio}, {"small", ratio && *ratio < 10}};
-}
-
-bool fails(const Trial& trial, bool chaotic) {
-  return !trial.finished || (!chaotic && trial.accuracy.missed + trial.accuracy.spurious > 0);
-}
-
 /// Smallest error that is drawn: the rounding of a time, or half an impact in the rate.
 double smallest_error(const SceneWork& work) {
   return work.benchmark.chaotic ? 0.5 / work.impacts : 1e-16;
@@ -178,14 +170,10 @@ double cost_of(const SceneWork& work, const Trial& trial) {
   return trial.seconds / work.impacts;
 }
 
-struct Errors {
-  double lower, upper;
-};
-
 /// From the decade below the smallest error to the decade above the largest, where failures are
 /// drawn.
-Errors errors_of(const SceneWork& work) {
-  Errors range{1e-3, 1e-3};
+report::Range errors_of(const SceneWork& work) {
+  report::Range range{1e-3, 1e-3};
   for (const MethodWork& method : work.methods) {
     for (const Trial& trial : method.trials) {
       if (!trial.error || method.control == "none") continue;
@@ -204,223 +192,146 @@ std::string control_text(const MethodWork& method, const Trial& trial) {
                      method.control == "step [s]" ? " s" : "");
 }
 
-/// Adds the error of every trial over its processor time per impact [s]; for a method without
-/// control only the time.
-void add_trials(const SceneWork& work, Json& data) {
-  const Errors errors = errors_of(work);
-  const double spread = work.rate_spread;
-  data["bottom"] = errors.lower;
-  data["failed_at"] = errors.upper;
-  data["top"] = 3 * errors.upper;
-  data["shown_spread"] = work.benchmark.chaotic && spread > errors.lower ? Json(spread) : Json();
-  data["exact"] = data["controlled"] = Json::array();
+/// The error of every trial over its processor time per impact; of a method without control only
+/// the time.
+Chart chart_of(const SceneWork& work) {
+  const report::Range errors = errors_of(work);
+  const bool chaotic = work.benchmark.chaotic;
+  Chart chart{.name = "work",
+              .title = fmt::format("{}: event-driven {:.2g} µs per impact", work.benchmark.name,
+                                   1e6 * cost_of(work, work.methods.front().trials.front())),
+              .x = {"processor time per impact [s]", Scale::logarithmic},
+              .y = {chaotic ? "relative error of impacts per second" : "impact-time error [s]",
+                    Scale::logarithmic, report::Range{errors.lower, 3 * errors.upper}},
+              .lines = {{Direction::horizontal, errors.upper, "failed"}},
+              .width = 640,
+              .height = 400};
   for (const MethodWork& method : work.methods) {
     if (method.control == "none") {
-      data["exact"].push_back(
-          {{"method", method.method}, {"cost", cost_of(work, method.trials.front())}});
+      chart.lines.push_back(
+          {Direction::vertical, cost_of(work, method.trials.front()), method.method});
       continue;
     }
-    Json trials = Json::array();
+    Series& series = chart.series.emplace_back(Series{method.method, Mark::points, {}});
     for (std::size_t i = 0; i < method.trials.size(); ++i) {
       const Trial& trial = method.trials[i];
-      const std::string control = control_text(method, trial);
       // Names beside all dots would hide the dots.
       const bool last = i + 1 == method.trials.size();
-      const bool named = i == 0 || last || (!work.benchmark.chaotic && i % named_every == 0);
-      trials.push_back(
-          {{"cost", cost_of(work, trial)},
-           {"error", trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper},
-           {"control", control},
-           {"named", named ? control : ""}});
+      const bool named = i == 0 || last || (!chaotic && i % named_every == 0);
+      series.samples.push_back(
+          {cost_of(work, trial),
+           trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper,
+           {},
+           named ? control_text(method, trial) : ""});
     }
-    data["controlled"].push_back({{"method", method.method}, {"trials", std::move(trials)}});
   }
+  if (chaotic && work.rate_spread > errors.lower) {
+    chart.lines.push_back({Direction::horizontal, work.rate_spread, "statistical resolution"});
+  }
+  return chart;
 }
 
-/// Lists the other methods within a limit, and the fastest of them.
-Json data_of(const SceneWork& work, double limit) {
-  Json best;
-  int reached = 0;
-  for (std::size_t m = 1; m < work.methods.size(); ++m) {
-    const auto ratio = slowdown(work, work.methods[m], limit);
-    if (!ratio) continue;
-    ++reached;
-    if (!best.is_null() && *ratio >= best["ratio"]) continue;
-    best = data_of(ratio);
-    best["method"] = work.methods[m].method;
-  }
-  return {{"seconds",
-           work.benchmark.chaotic ? Json() : Json(fmt::format("1e{:.0f}", std::log10(limit)))},
-          {"best", std::move(best)},
-          {"reached", reached},
-          {"others", work.methods.size() - 1}};
-}
-
-/// A method at its tightest control, and its cost at the limits.
-Json data_of(const SceneWork& work, const MethodWork& method) {
-  const Trial& tightest = method.trials.back();
-  const bool chaotic = work.benchmark.chaotic;
-  const auto if_known = [](bool known, int value) { return known ? Json(value) : Json(); };
-  Json data = {
-      {"method", method.method},
-      {"tightest", method.control == "none" ? Json() : Json(tightest.control)},
-      {"step", method.control == "step [s]"},
-      {"finished", tightest.finished},
-      {"count_difference", if_known(tightest.finished, tightest.accuracy.count_difference)},
-      {"missed", if_known(tightest.finished && !chaotic, tightest.accuracy.missed)},
-      {"spurious", if_known(tightest.finished && !chaotic, tightest.accuracy.spurious)},
-      {"error", tightest.error},
-      {"good", fails(tightest, chaotic) ? Json(false) : Json()},
-      {"times", Json::array()}};
+/// Which of the other methods is the fastest within each limit, and how many are within it at all.
+std::string answer_of(const SceneWork& work) {
+  std::string text;
   for (const double limit : limits_of(work)) {
-    data["times"].push_back(data_of(slowdown(work, method, limit)));
+    std::optional<double> least;
+    std::string fastest;
+    int reached = 0;
+    for (std::size_t m = 1; m < work.methods.size(); ++m) {
+      const auto ratio = slowdown(work, work.methods[m], limit);
+      if (!ratio) continue;
+      ++reached;
+      if (least && *ratio >= *least) continue;
+      least = ratio;
+      fastest = work.methods[m].method;
+    }
+    text += text.empty() ? "" : " ";
+    text += work.benchmark.chaotic ? fmt::format("Rate right within {:.2g} %: ", 100 * limit)
+                                   : fmt::format("Error below 1e{:.0f} s: ", std::log10(limit));
+    const auto others = static_cast<int>(work.methods.size()) - 1;
+    text += fmt::format("{} of {} other methods get there, {} do not", reached, others,
+                        others - reached);
+    text += least ? fmt::format("; {} is the fastest, at {:.1f} times the time.", fastest, *least)
+                  : ".";
   }
-  return data;
+  return text;
+}
+
+/// What others pay for impact times right to a microsecond, where paths can be compared.
+std::string cost_sentence(const std::vector<SceneWork>& works) {
+  std::vector<double> ratios;
+  std::size_t pairs = 0;
+  for (const SceneWork& work : works) {
+    const bool compliant = work.benchmark.scene.fidelity == Fidelity::compliant;
+    for (std::size_t m = 1; m < work.methods.size() && !work.benchmark.chaotic && !compliant; ++m) {
+      ++pairs;
+      const auto ratio = slowdown(work, work.methods[m], limits_of(work).front());
+      if (ratio) ratios.push_back(*ratio);
+    }
+  }
+  const std::string rest = fmt::format(
+      "in {} of {} pairs of method and scene no tolerance or step tried is accurate enough, in {} "
+      "one is",
+      pairs - ratios.size(), pairs, ratios.size());
+  if (ratios.empty()) return "On hard walls " + rest + ".";
+  const auto [least, most] = std::ranges::minmax(ratios);
+  return fmt::format(
+      "On hard walls impact times right to a microsecond cost other methods {:.1f} to {:.0f} times "
+      "the processor time of the event-driven simulator; {}.",
+      least, most, rest);
 }
 
 }  // namespace
 
-Json data_of(const SceneWork& work) {
-  const BenchmarkScene& benchmark = work.benchmark;
-  const auto if_chaotic = [&](double value) { return benchmark.chaotic ? Json(value) : Json(); };
-  Json data = {{"id", benchmark.id},
-               {"name", benchmark.name},
-               {"description", benchmark.description},
-               {"chaotic", benchmark.chaotic},
-               {"impacts", work.impacts},
-               {"microseconds", 1e6 * cost_of(work, work.methods.front().trials.front())},
-               {"mean_impacts", if_chaotic(work.mean_impacts)},
-               {"spread_percent", if_chaotic(100 * work.rate_spread)},
-               {"limits", Json::array()},
-               {"failing", Json::array()},
-               {"methods", Json::array()}};
-  for (const double limit : limits_of(work)) data["limits"].push_back(data_of(work, limit));
-  for (const MethodWork& method : work.methods) {
-    data["methods"].push_back(data_of(work, method));
-    if (fails(method.trials.back(), benchmark.chaotic)) data["failing"].push_back(method.method);
-  }
-  add_trials(work, data);
-  return data;
-}
-
-Json speed_data(const std::vector<SceneWork>& works) {
-  Json data = {{"scenes", Json::array()}, {"times", Json::array()}, {"evaluations", Json::array()}};
-  for (const SceneWork& work : works) data["scenes"].push_back(work.benchmark.id);
-  std::vector<double> compared;
-  int failed = 0;
-  for (std::size_t m = 1; m < works.front().methods.size(); ++m) {
-    Json times = Json::array(), evaluations = Json::array();
-    for (const SceneWork& work : works) {
-      const double limit = limits_of(work).front();
-      const auto time = slowdown(work, work.methods[m], limit);
-      times.push_back(data_of(time));
-      evaluations.push_back(data_of(evaluations_ratio(work, work.methods[m], limit)));
-      if (work.benchmark.chaotic) continue;
-      failed += time ? 0 : 1;
-      if (time) compared.push_back(*time);
+void add_to(report::Results& results, const std::vector<SceneWork>& works) {
+  Table costs{"accuracy-cost", {{"method"}}};
+  Table all{"work",
+            {{"scene"},
+             {"method"},
+             {"tightest", "tightest tolerance or step [s]", ".1e"},
+             {"count_difference", "count difference", "+d"},
+             {"missed"},
+             {"spurious"},
+             {"error", "error at the tightest", ".1e"},
+             {"within_first", "time ratio, 1e-6 s or rate", ".1f"},
+             {"within_second", "time ratio, 1e-9 s", ".1f"},
+             {"evaluations", "evaluations, as in the first", ".1f"}}};
+  for (std::size_t m = 1; m < works.front().methods.size(); ++m)
+    costs.add(works.front().methods[m].method);
+  for (const SceneWork& work : works) {
+    const bool chaotic = work.benchmark.chaotic;
+    costs.columns.push_back({work.benchmark.id, "", ".1f"});
+    for (auto& row : costs.rows) row.emplace_back();
+    const std::vector<double> limits = limits_of(work);
+    for (const MethodWork& method : work.methods) {
+      const Trial& tightest = method.trials.back();
+      const auto if_path = [&](int count) {
+        return tightest.finished && !chaotic ? std::optional(count) : std::nullopt;
+      };
+      const auto ratio = slowdown(work, method, limits.front());
+      all.add(work.benchmark.id, method.method,
+              method.control == "none" ? std::nullopt : std::optional(tightest.control),
+              tightest.finished ? std::optional(tightest.accuracy.count_difference) : std::nullopt,
+              if_path(tightest.accuracy.missed), if_path(tightest.accuracy.spurious),
+              tightest.error, ratio, chaotic ? std::nullopt : slowdown(work, method, limits.back()),
+              evaluations_ratio(work, method, limits.front()));
+      for (auto& row : costs.rows)
+        if (row.front() == value_of(method.method)) row.back() = value_of(ratio);
     }
-    const std::string& method = works.front().methods[m].method;
-    data["times"].push_back({{"method", method}, {"ratios", std::move(times)}});
-    data["evaluations"].push_back({{"method", method}, {"ratios", std::move(evaluations)}});
-  }
-  std::sort(compared.begin(), compared.end());
-  const bool any = !compared.empty();
-  data["least"] = data_of(any ? std::optional(compared.front()) : std::nullopt);
-  data["most"] = data_of(any ? std::optional(compared.back()) : std::nullopt);
-  data["failed"] = failed;
-  data["pairs"] = compared.size() + static_cast<std::size_t>(failed);
-  return data;
-}
-
-namespace {
-
-double distance(const ReturnedRestitution& point) {
-  return std::abs(point.returned - point.asked);
-}
-
-constexpr double faithful_within = 0.01;
-
-Json data_of(const LawStudy& law) {
-  const ReturnedRestitution worst = worst_of(law);
-  const double off = distance(worst);
-  const bool exact = off < 5e-4;  // its worst place depends on rounding only
-  return {{"law", law.name},
-          {"exact", exact},
-          {"worst_asked", exact ? Json() : Json(worst.asked)},
-          {"worst_returned", exact ? Json() : Json(worst.returned)},
-          {"off", off},
-          {"faithful", off < faithful_within ? Json(true) : Json()},
-          {"of_a_tenth", closed_return(law.law, 0.1)},
-          {"of_nine_tenths", closed_return(law.law, 0.9)},
-          {"measurement_error", largest_measurement_error(law)}};
-}
-
-}  // namespace
-
-ReturnedRestitution worst_of(const LawStudy& study) {
-  return *std::max_element(study.exact.begin(), study.exact.end(),
-                           [](const auto& a, const auto& b) { return distance(a) < distance(b); });
-}
-
-double largest_measurement_error(const LawStudy& study) {
-  double largest = 0;
-  for (const ReturnedRestitution& point : study.measured) {
-    largest = std::max(largest, std::abs(point.returned - closed_return(study.law, point.asked)));
-  }
-  return largest;
-}
-
-double closed_return(ContactLaw law, double asked) {
-  if (law != ContactLaw::kelvin_voigt) return returned_restitution(dissipation(law, asked));
-  return kelvin_voigt_restitution(damping_ratio(asked, Release::zero_force), Release::zero_force);
-}
-
-double measured_return(ContactLaw law, double asked) {
-  Scene scene;  // 1 kg without any force, 1 mm above the only wall
-  scene.wall_upper = std::numeric_limits<double>::infinity();
-  scene.restitution_lower = scene.restitution_upper = asked;
-  scene.start_position = 1e-3;
-  scene.start_velocity = -1;
-  scene.window = Seconds{1};
-  scene.fidelity = Fidelity::compliant;
-  scene.contact_law = law;
-  if (law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
-  Observer nobody;
-  return simulate(scene, nobody).velocity / -scene.start_velocity;
-}
-
-std::vector<LawStudy> study_laws(std::size_t stride) {
-  std::vector<LawStudy> studies;
-  for (const auto& [name, law] : contact_law_names()) {
-    LawStudy& study = studies.emplace_back(LawStudy{std::string(name), law, {}, {}});
-    for (std::size_t k = 2; k <= 98; ++k) {
-      const double asked = 0.01 * static_cast<double>(k);
-      study.exact.push_back({asked, closed_return(law, asked)});
-      if ((k - 2) % stride == 0) study.measured.push_back({asked, measured_return(law, asked)});
+    report::Part part{work.benchmark.id, work.benchmark.name, {}};
+    part.results.set("description", work.benchmark.description);
+    part.results.set("answer", answer_of(work));
+    part.results.add(chart_of(work));
+    if (chaotic) {
+      results.set("mean-impacts", work.mean_impacts);
+      results.set("rate-spread", work.rate_spread);
     }
+    results.add("scene", std::move(part));
   }
-  return studies;
-}
-
-Json data_of(const std::vector<LawStudy>& laws) {
-  const double asked = 0.1;
-  const double returned = closed_return(ContactLaw::hunt_crossley, asked);
-  Json data = {{"hunt_crossley",
-                {{"asked", asked},
-                 {"returned", returned},
-                 {"energy_asked", asked * asked},
-                 {"energy_returned", returned * returned}}},
-               {"faithful", Json::array()},
-               {"laws", Json::array()},
-               {"curves", Json::array()},
-               {"measured", Json::array()}};
-  for (const LawStudy& law : laws) {
-    data["laws"].push_back(data_of(law));
-    data["curves"].push_back({{"law", law.name}, {"exact", law.exact}});
-    for (const ReturnedRestitution& one : law.measured) data["measured"].push_back(one);
-    if (distance(worst_of(law)) <= faithful_within) data["faithful"].push_back(law.name);
-  }
-  return data;
+  results.set("accuracy", cost_sentence(works));
+  results.add(std::move(costs));
+  results.add(std::move(all));
 }
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/scene/contact_law.h"
-#include "src/report/json.h"
+#include "src/report/results.h"
 
 /// Work-precision diagrams: the cost of a method's accuracy.
 namespace ricochet::studies::dynamics {
@@ -82,11 +82,9 @@ SceneWork work_in(
 /// is not.
 std::optional<Trial> loosest_within(const MethodWork& method, double limit);
 
-/// Cost of the methods' accuracy in one scene.
-report::Json data_of(const SceneWork& work);
-
-/// Time and evaluations of every method relative to the event-driven one, in all scenes.
-report::Json speed_data(const std::vector<SceneWork>& works);
+/// Adds the cost of the methods' accuracy relative to the event-driven one: all scenes, of which
+/// the first has every method, in tables, and each as a part with its chart.
+void add_to(report::Results& results, const std::vector<SceneWork>& works);
 
 // Restitution that a contact law returns, compared with the value its damping was computed from.
 
@@ -94,7 +92,6 @@ struct ReturnedRestitution {
   double asked;     ///< in (0, 1)
   double returned;  ///< in [0, 1]
 };
-RICOCHET_FIELDS(ReturnedRestitution, asked, returned);
 
 /// One law, by its closed relation and by simulation.
 struct LawStudy {
@@ -121,7 +118,7 @@ double measured_return(carrier_track::ContactLaw law, double asked);
 /// Every law, for 0.02, 0.03, ..., 0.98, and by simulation for every `stride`-th of them.
 std::vector<LawStudy> study_laws(std::size_t stride);
 
-/// Requested against returned restitution, a line for each law.
-report::Json data_of(const std::vector<LawStudy>& laws);
+/// Adds requested against returned restitution, a line for each law.
+void add_to(report::Results& results, const std::vector<LawStudy>& laws);
 
 }  // namespace ricochet::studies::dynamics

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/json.h"
+#include "src/report/results.h"
 #include "src/report/site/study.h"
 #include "src/studies/impact_test/score.h"
 #include "src/studies/impact_test/simulator.h"
@@ -60,8 +60,8 @@ struct Results {
 /// that cannot be started if the plan needs all.
 Results impact_test(const Plan& plan);
 
-/// The data of the report.
-report::Json data_of(const Results& results);
+/// What the report has. Its value "lost" is what ricochet itself loses, per 1,000 impacts.
+report::Results results_of(const Results& results);
 
 }  // namespace ricochet::studies::impact_test
 

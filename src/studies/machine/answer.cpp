@@ -218,7 +218,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
   if (!output.is_complete()) text += "Not complete: " + known_part_of(output) + ".\n";
   if (answer.is_of_the_long_run()) {
     text += fmt::format("In the long run: {}.\n{}", summary_of(answer.regimes),
-                        text_of(answer.regimes, answer.split.first_loud));
+                        terminal_text_of(shown_regimes(answer.regimes)));
   } else if (answer.split.speed) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
@@ -266,7 +266,7 @@ report::Json json_of(const QuietSpeedAnswer& output) {
   }
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
-  Json json = {{"regimes", json_of(answer.regimes)},
+  Json json = {{"regimes", json_rows_of(regime_table(answer.regimes))},
                {"fastest_quiet", rounded(answer.fastest_quiet)},
                {"fastest_quiet_rpm", Json()},
                {"limit", Json()},
@@ -278,7 +278,7 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                {"complete", output.is_complete()},
                {"reached", answer.reached},
                {"left_out", output.left_out},
-               {"sampled", json_of(output.sampled)},
+               {"sampled", json_rows_of(sampled_table(output.sampled))},
                {"with_tolerance", Json()},
                {"with_uncertainties", Json()}};
   if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;

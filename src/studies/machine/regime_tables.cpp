@@ -11,6 +11,12 @@
 #include "ricochet/machine.h"
 #include "src/studies/machine/answer.h"
 
+namespace ricochet::carrier_track::inline regimes {
+
+RICOCHET_FIELDS(MapPoint, constant, omega, slope);
+
+}  // namespace ricochet::carrier_track::inline regimes
+
 namespace ricochet::studies::advice {
 
 namespace {
@@ -36,22 +42,6 @@ std::string counts_of(const Regime& regime) {
 }
 
 namespace {
-
-std::string line_of(const Regime& regime, bool marked) {
-  if (!regime.moves) {
-    return fmt::format("{:>8.3f} {:>8.3f} {:>8.2f}  {:<12}{:>10}{:>10}{:>8}  {}{}\n", regime.from,
-                       regime.to, regime.to * rpm, "0", "-", "-", "100 %", name_of(regime.ends_by),
-                       marked ? "  <-" : "");
-  }
-  return fmt::format("{:>8.3f} {:>8.3f} {:>8.2f}  {:<12}{:>10.3g}{:>10.3g}{:>6.0f} %  {}{}{}\n",
-                     regime.from, regime.to, regime.to * rpm, counts_of(regime),
-                     1e3 * regime.last.energy_per_turn, 1e3 * regime.last.fastest_impact,
-                     100 * regime.last.share_at_rest, name_of(regime.ends_by),
-                     regime.certain      ? ""
-                     : regime.turns == 0 ? ", not periodic"
-                                         : ", not certain",
-                     marked ? "  <-" : "");
-}
 
 /// A range of speeds up to which no turn has more collisions.
 struct Level {
@@ -103,56 +93,59 @@ std::string summary_of(const std::vector<Regime>& regimes) {
   return text + (levels.size() > summarised ? ", and more beyond" : "");
 }
 
-std::string text_of(const std::vector<Regime>& regimes, std::optional<double> marked) {
-  std::string text = fmt::format("{:>8} {:>8} {:>8}  {:<12}{:>10}{:>10}{:>8}  {}\n", "from", "to",
-                                 "to", "collisions", "energy", "fastest", "rest", "ends by");
-  text += fmt::format("{:>8} {:>8} {:>8}  {:<12}{:>10}{:>10}{:>8}\n", "rad/s", "rad/s", "rpm",
-                      "a turn", "mJ a turn", "mm/s", "");
-  for (const Regime& regime : without_narrow(regimes)) {
-    text += line_of(regime, marked && regime.from < *marked && *marked <= regime.to);
+Table regime_table(const std::vector<Regime>& regimes) {
+  Table table{"regimes",
+              {{"from", "from [rad/s]", ".3f"},
+               {"to", "to [rad/s]", ".3f"},
+               {"collisions_per_turn"},
+               {"least_per_turn"},
+               {"most_per_turn"},
+               {"energy_per_turn", "energy a turn [mJ]", ".3gm"},
+               {"fastest_impact", "fastest impact [mm/s]", ".3gm"},
+               {"share_at_rest", "at rest [%]", ".0%"},
+               {"rests"},
+               {"moves"},
+               {"turns"},
+               {"memory"},
+               {"certain", "", "mark"},
+               {"ends_by", "ends by"},
+               {"to_rpm", "to [rpm]", ".2f"},
+               {"collisions", "collisions a turn"}}};
+  for (const Regime& regime : regimes) {
+    const LongRun& last = regime.last;
+    table.add(regime.from, regime.to, regime.collisions_per_turn, regime.least_per_turn,
+              regime.most_per_turn, last.energy_per_turn, last.fastest_impact, last.share_at_rest,
+              regime.rests, regime.moves, regime.turns, regime.memory, regime.certain,
+              name_of(regime.ends_by), regime.to * rpm, counts_of(regime));
   }
-  return text;
+  return table;
 }
 
-Json json_of(const std::vector<Regime>& regimes) {
-  return report::list_of(regimes, [](const Regime& regime) {
-    return Json{{"from", regime.from},
-                {"to", regime.to},
-                {"collisions_per_turn", regime.collisions_per_turn},
-                {"least_per_turn", regime.least_per_turn},
-                {"most_per_turn", regime.most_per_turn},
-                {"energy_per_turn", regime.last.energy_per_turn},
-                {"fastest_impact", regime.last.fastest_impact},
-                {"share_at_rest", regime.last.share_at_rest},
-                {"rests", regime.rests},
-                {"moves", regime.moves},
-                {"turns", regime.turns},
-                {"memory", regime.memory},
-                {"certain", regime.certain},
-                {"ends_by", name_of(regime.ends_by)}};
-  });
+Table shown_regimes(const std::vector<Regime>& regimes) {
+  return only(regime_table(without_narrow(regimes)),
+              {"from", "to", "to_rpm", "collisions", "energy_per_turn", "fastest_impact",
+               "share_at_rest", "ends_by", "certain"});
+}
+
+Table sampled_table(const std::vector<SampledTurns>& sampled) {
+  Table table{"sampled",
+              {{"omega", "speed [rad/s]", ".3f"},
+               {"rpm", "speed [rpm]", ".2f"},
+               {"mean_per_turn", "mean collisions a turn"},
+               {"most_per_turn", "most"}}};
+  for (const SampledTurns& turns : sampled) {
+    table.add(turns.omega, turns.omega * rpm, turns.mean_per_turn, turns.most_per_turn);
+  }
+  return table;
 }
 
 std::string text_of(const std::vector<SampledTurns>& sampled) {
   if (sampled.empty()) return "";
-  std::string text = fmt::format(
-      "By simulation alone, not certain ({} turns at each speed, after as many to settle; under a "
-      "disturbance from {} of its phases):\n{:>8} {:>8}  collisions a turn\n{:>8} {:>8}  "
-      "{:<10}most\n",
-      sampled_turns_each, sampled_phases, "speed", "speed", "rad/s", "rpm", "mean");
-  for (const SampledTurns& turns : sampled) {
-    text += fmt::format("{:>8.3f} {:>8.2f}  {:<10.4g}{}\n", turns.omega, turns.omega * rpm,
-                        turns.mean_per_turn, turns.most_per_turn);
-  }
-  return text;
-}
-
-Json json_of(const std::vector<SampledTurns>& sampled) {
-  return report::list_of(sampled, [](const SampledTurns& turns) {
-    return Json{{"omega", turns.omega},
-                {"mean_per_turn", turns.mean_per_turn},
-                {"most_per_turn", turns.most_per_turn}};
-  });
+  return fmt::format(
+             "By simulation alone, not certain ({} turns at each speed, after as many to settle; "
+             "under a disturbance from {} of its phases):\n",
+             sampled_turns_each, sampled_phases) +
+         terminal_text_of(sampled_table(sampled));
 }
 
 namespace {
@@ -161,29 +154,29 @@ constexpr int shown_values = 7;
 constexpr double near_ratio = 1.01;  // ratio of speeds of borders that are one to the eye
 
 /// Borders of the machine that are one to the eye; the first is shown.
-struct Row {
+struct Border {
   const MapCurve* curve;
   double slower, faster;  ///< collisions a turn before the first and beyond the last
   double last;            ///< [rad/s], of the last at the machine's own constant
 };
 
-std::vector<Row> rows_of(const RegimeMap& map) {
+std::vector<Border> borders_of(const RegimeMap& map) {
   std::vector<const MapCurve*> own;
   for (const MapCurve& curve : map.curves)
     if (curve.own) own.push_back(&curve);
   std::ranges::stable_sort(own, {}, [](const MapCurve* curve) { return *curve->own; });
-  std::vector<Row> rows;
+  std::vector<Border> borders;
   for (const MapCurve* curve : own) {
-    const bool joins = !rows.empty() && *curve->own < near_ratio * rows.back().last &&
-                       rows.back().curve->kind == curve->kind;
+    const bool joins = !borders.empty() && *curve->own < near_ratio * borders.back().last &&
+                       borders.back().curve->kind == curve->kind;
     if (!joins) {
-      rows.push_back({curve, curve->slower, curve->faster, *curve->own});
+      borders.push_back({curve, curve->slower, curve->faster, *curve->own});
     } else {
-      rows.back().faster = curve->faster;
-      rows.back().last = *curve->own;
+      borders.back().faster = curve->faster;
+      borders.back().last = *curve->own;
     }
   }
-  return rows;
+  return borders;
 }
 
 /// Some values of the constant, evenly spaced, at which the regimes are solved.
@@ -200,9 +193,9 @@ std::vector<double> values_of(const RegimeMap& map) {
   return values;
 }
 
-std::string speed_at(const MapCurve& curve, double constant) {
+std::optional<double> speed_at(const MapCurve& curve, double constant) {
   const auto point = std::ranges::find(curve.points, constant, &MapPoint::constant);
-  return point == curve.points.end() ? "-" : fmt::format("{:.4g}", point->omega);
+  return point == curve.points.end() ? std::nullopt : std::optional(point->omega);
 }
 
 std::string words_for(CurveEnd end) {
@@ -233,13 +226,13 @@ std::string change_of_counts(double slower, double faster) {
 }
 
 /// "  2 to 4 collisions: up to 0.32, where it turns back\n"
-std::string ends_of(const Row& row, const RegimeMap& map, const ShownUnit& unit) {
-  const MapCurve& curve = *row.curve;
+std::string ends_of(const Border& border, const RegimeMap& map, const ShownUnit& unit) {
+  const MapCurve& curve = *border.curve;
   std::string text;
   const auto add = [&](const char* side, const MapPoint& point, CurveEnd end) {
     if (end == CurveEnd::range) return;
     text += fmt::format("The border of {} collisions a turn ends at {} {} {:.4g}{}{}: {}.\n",
-                        change_of_counts(row.slower, row.faster), side, map.options.constant,
+                        change_of_counts(border.slower, border.faster), side, map.options.constant,
                         point.constant / unit.size, unit.name.empty() ? "" : " ", unit.name,
                         words_for(end));
   };
@@ -251,21 +244,22 @@ std::string ends_of(const Row& row, const RegimeMap& map, const ShownUnit& unit)
 }  // namespace
 
 std::string text_of(const RegimeMap& map, const ShownUnit& unit) {
-  const std::vector<Row> rows = rows_of(map);
+  const std::vector<Border> borders = borders_of(map);
   const std::vector<double> values = values_of(map);
-  const std::string in = unit.name.empty() ? "" : fmt::format(" [{}]", unit.name);
-  std::string text = fmt::format("{:<12}{:<16}speed [rad/s] at {}{}\n", "collisions", "ends by",
-                                 map.options.constant, in);
-  text += fmt::format("{:<28}", "a turn");
-  for (const double value : values) text += fmt::format("{:>9.4g}", value / unit.size);
-  text += "\n";
-  for (const Row& row : rows) {
-    text += fmt::format("{:<12}{:<16}", change_of_counts(row.slower, row.faster),
-                        name_of(row.curve->kind));
-    for (const double value : values) text += fmt::format("{:>9}", speed_at(*row.curve, value));
-    text += "\n";
+  Table table{"borders", {{"collisions", "collisions a turn"}, {"ends_by", "ends by"}}};
+  for (const double value : values) {
+    table.columns.push_back({fmt::format("{:.4g}", value / unit.size)});
   }
-  for (const Row& row : rows) text += ends_of(row, map, unit);
+  for (const Border& border : borders) {
+    std::vector<Value> row = {change_of_counts(border.slower, border.faster),
+                              std::string(name_of(border.curve->kind))};
+    for (const double value : values) row.push_back(value_of(speed_at(*border.curve, value)));
+    table.add_row(std::move(row));
+  }
+  std::string text = fmt::format(
+      "Their speeds [rad/s] at values of {}{}:\n{}", map.options.constant,
+      unit.name.empty() ? "" : fmt::format(" [{}]", unit.name), terminal_text_of(table));
+  for (const Border& border : borders) text += ends_of(border, map, unit);
   const auto others =
       std::ranges::count_if(map.curves, [](const MapCurve& curve) { return !curve.own; });
   if (others > 0) {
@@ -290,25 +284,27 @@ Json json_of(const RegimeMap& map) {
                          {"own", report::as_json(curve.own)},
                          {"begins", name_of(curve.begins)},
                          {"ends", name_of(curve.ends)},
-                         {"points", report::list_of(curve.points, [](const MapPoint& point) {
-                            return Json{{"constant", point.constant},
-                                        {"omega", point.omega},
-                                        {"slope", report::as_json(point.slope)}};
-                          })}};
+                         {"points", report::as_json(curve.points)}};
            })}};
 }
 
-std::string csv_of(const RegimeMap& map) {
-  std::string text = "curve,kind,collisions_slower,collisions_faster,constant,omega,slope\n";
+Table point_table(const RegimeMap& map) {
+  Table table{"points",
+              {{"curve"},
+               {"kind"},
+               {"collisions_slower"},
+               {"collisions_faster"},
+               {"constant"},
+               {"omega"},
+               {"slope"}}};
   for (std::size_t i = 0; i < map.curves.size(); ++i) {
     const MapCurve& curve = map.curves[i];
     for (const MapPoint& point : curve.points) {
-      text += fmt::format("{},{},{},{},{},{},{}\n", i + 1, name_of(curve.kind), curve.slower,
-                          curve.faster, point.constant, point.omega,
-                          point.slope ? fmt::format("{}", *point.slope) : "");
+      table.add(i + 1, name_of(curve.kind), curve.slower, curve.faster, point.constant, point.omega,
+                point.slope);
     }
   }
-  return text;
+  return table;
 }
 
 }  // namespace ricochet::studies::advice

@@ -7,9 +7,10 @@
 #include "problems/carrier_track/regimes/sampled_turns.h"
 #include "ricochet/machine.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/studies/machine/charts.h"
 
-/// The regimes of a machine as text and data.
+/// The regimes of a machine as tables, text and data.
 namespace ricochet::studies::advice {
 
 /// Without those that are less than 1 % of the speed wide and lie between wider ones: they are one
@@ -25,20 +26,18 @@ std::string counts_of(const carrier_track::Regime& regime);
 /// always.
 std::string summary_of(const std::vector<carrier_track::Regime>& regimes);
 
-/// The table with its header, without narrow regimes; the row that ends at `marked` [rad/s] is
-/// marked.
-std::string text_of(const std::vector<carrier_track::Regime>& regimes,
-                    std::optional<double> marked);
+/// A row for each regime; energies, speeds and shares are those at the fast end.
+Table regime_table(const std::vector<carrier_track::Regime>& regimes);
 
-/// All regimes; energies, speeds and shares are those at the fast end.
-report::Json json_of(const std::vector<carrier_track::Regime>& regimes);
+/// The columns of it that a person needs, without narrow regimes.
+Table shown_regimes(const std::vector<carrier_track::Regime>& regimes);
 
-/// A table, with a sentence on what it is; empty if there is none.
+Table sampled_table(const std::vector<carrier_track::SampledTurns>& sampled);
+
+/// That table, with a sentence on what it is; empty if it is.
 std::string text_of(const std::vector<carrier_track::SampledTurns>& sampled);
 
-report::Json json_of(const std::vector<carrier_track::SampledTurns>& sampled);
-
-// The borders of a machine over a constant, as text and data.
+// The borders of a machine over a constant.
 
 /// A row for each border of the machine itself, with its speed at a few values of the constant; and
 /// where a border ends. Borders less than 1 % of the speed apart are one.
@@ -47,7 +46,7 @@ std::string text_of(const carrier_track::RegimeMap& map, const ShownUnit& unit);
 /// All points of all borders, in SI units.
 report::Json json_of(const carrier_track::RegimeMap& map);
 
-/// The same as a table, with a header: a line for each point.
-std::string csv_of(const carrier_track::RegimeMap& map);
+/// The same as a table: a row for each point.
+Table point_table(const carrier_track::RegimeMap& map);
 
 }  // namespace ricochet::studies::advice

@@ -26,26 +26,6 @@ using namespace carrier_track;
 using namespace advice;
 using report::Results;
 
-/// The regimes in an engineer's units.
-Table regime_table(const std::vector<Regime>& regimes) {
-  Table table{"regimes",
-              {{"from", "from [rad/s]", ".3f"},
-               {"to", "to [rad/s]", ".3f"},
-               {"rpm", "to [rpm]", ".2f"},
-               {"collisions", "collisions a turn"},
-               {"energy", "energy a turn [mJ]", ".3g"},
-               {"impact", "fastest impact [mm/s]", ".3g"},
-               {"rest", "at rest [%]", ".0%"},
-               {"ends_by", "ends by"},
-               {"certain", "certain", "mark"}}};
-  for (const Regime& regime : without_narrow(regimes)) {
-    table.add(regime.from, regime.to, regime.to * rpm, counts_of(regime),
-              1e3 * regime.last.energy_per_turn, 1e3 * regime.last.fastest_impact,
-              regime.last.share_at_rest, name_of(regime.ends_by), regime.certain);
-  }
-  return table;
-}
-
 Table step_table(const std::vector<Step>& steps) {
   Table table{"steps",
               {{"omega", "speed [rad/s]", ".3f"},
@@ -243,7 +223,7 @@ Results results_of(const AdviceOptions& options) {
   results.add(lines_table("notes", lines_of(notes_on(options.scene, answer.start))));
   results.add(change_table(answer.sensitivities));
   add_design(lines, results);
-  results.add(regime_table(found.regimes));
+  results.add(shown_regimes(found.regimes));
   results.add(step_table(found.staircase.steps));
   results.add(level_table(found.staircase.levels));
   results.add(around_table(found.around));

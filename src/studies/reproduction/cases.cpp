@@ -52,11 +52,11 @@ Table threshold_table(const std::vector<CaseStudy>& cases) {
   return table;
 }
 
-Chart threshold_chart(const Findings& findings, double error) {
+Chart threshold_chart(const Findings& findings, const std::string& error) {
   Chart chart{.name = "thresholds",
-              .title = fmt::format("By the paper's rule the thresholds are {:.0f} % from the "
-                                   "paper's, after fitting {} parameters",
-                                   100 * error, findings.interpretation.free.size()),
+              .title = fmt::format("By the paper's rule the thresholds are {} from the paper's, "
+                                   "after fitting {} parameters",
+                                   error, findings.interpretation.free.size()),
               .x = {.label = "case"},
               .y = {.label = "threshold [rad/s]",
                     .scale = report::Scale::logarithmic,
@@ -97,16 +97,14 @@ std::string told_examples(const std::vector<CaseStudy>& cases, const Agreement& 
 /// The root mean square of ln(border / paper's threshold).
 std::optional<double> error_of(const std::vector<CaseStudy>& cases,
                                std::optional<double> LongRunBorders::*border) {
-  double squares = 0;
-  int thresholds = 0;
+  std::vector<double> errors;
   for (const CaseStudy& c : cases) {
     const std::optional<double>& speed = c.borders.*border;
-    if (!speed || !c.the_case.claim.threshold) continue;
-    squares += std::pow(std::log(*speed / *c.the_case.claim.threshold), 2);
-    ++thresholds;
+    if (speed && c.the_case.claim.threshold)
+      errors.push_back(std::log(*speed / *c.the_case.claim.threshold));
   }
-  if (thresholds == 0) return {};
-  return std::sqrt(squares / thresholds);
+  if (errors.empty()) return {};
+  return root_mean_square(errors);
 }
 
 }  // namespace
@@ -119,16 +117,21 @@ std::vector<QuietCase> quiet_cases(const std::vector<CaseStudy>& cases) {
 
 void add_thresholds(const Findings& findings, Results& results) {
   const Agreement agreement = agreement_of(findings.cases);
-  const double error = agreement.relative_error;
+  const std::string error =
+      fmt::format("{:.0f} %{}", 100 * agreement.relative_error,
+                  agreement.interval ? fmt::format(" (95 % interval {:.0f} to {:.0f} %)",
+                                                   100 * agreement.interval->lower,
+                                                   100 * agreement.interval->upper)
+                                     : "");
   const std::size_t fitted = findings.interpretation.free.size();
   results.set(
       "finding",
-      fmt::format("The computed thresholds differ from the paper's by {:.0f} % "
-                  "(root-mean-square error in log speed, after fitting {} parameters to the "
-                  "same thresholds; {} of 10 can be compared).",
-                  100 * error, fitted, agreement.thresholds));
+      fmt::format("The computed thresholds differ from the paper's by {}, root mean "
+                  "square in log speed, after fitting {} parameters to the same thresholds; {} of "
+                  "10 can be compared.",
+                  error, fitted, agreement.thresholds));
   results.set("examples", told_examples(findings.cases, agreement));
-  results.set("error", error);
+  results.set("error", agreement.relative_error);
   results.set("compared", agreement.thresholds);
   results.set("fitted", fitted);
   results.set("quiet_error", error_of(findings.cases, &LongRunBorders::quiet));
@@ -286,7 +289,8 @@ namespace {
 
 using namespace comparison;
 
-constexpr std::size_t told_entries = 5;  // of a family: more cannot be told apart in a chart
+constexpr std::size_t told_entries =
+    3;  // of a family, beside random search and the paper's algorithm
 constexpr std::size_t pale_entries = 6;
 
 /// The first entries, and the best ones of the paper's solver and of random search.
@@ -373,7 +377,7 @@ void add_solvers(const std::optional<StoredCampaign>& comparison, Results& resul
     const std::vector<Group> groups = groups_of(compared);
     const Ratings ratings = ratings_of(compared, groups);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      const std::vector<Rating>& by_returned = ratings[g].back().by_returned;
+      const std::vector<Rating>& by_returned = ratings[g].back();
       if (by_returned.empty()) continue;
       for (const Rating* r : told_ratings(by_returned)) {
         const Reach& last = r->progress.back();

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/core/progress.h"
@@ -97,21 +99,22 @@ std::vector<Trend> trends(const CountGrid& grid) {
 namespace {
 
 /// The mean counts at a disturbance.
-report::Chart grid_chart(const CountGrid& grid, std::size_t disturbance, report::Range range) {
+report::Chart grid_chart(std::string name, const CountGrid& grid, std::size_t disturbance) {
+  const auto [least, most] = std::ranges::minmax(grid.means);
   const auto ends = [&](std::size_t friction) {
     return fmt::format("{:.2g} to {:.2g} at friction {}", grid.mean(0, friction, disturbance),
                        grid.mean(grid.restitutions.size() - 1, friction, disturbance),
                        grid.frictions[friction]);
   };
   report::Chart chart{
-      .name = fmt::format("grid-{}", disturbance + 1),
+      .name = std::move(name),
       .title = fmt::format("Disturbance {} N: from restitution {} to {} the mean count goes from "
                            "{}, from {}",
                            grid.disturbances[disturbance], grid.restitutions.front(),
                            grid.restitutions.back(), ends(0), ends(grid.frictions.size() - 1)),
       .x = {.label = "restitution"},
       .y = {.label = "friction"},
-      .heat_map = report::HeatMap{"mean count", {}, range}};
+      .heat_map = report::HeatMap{"mean count", {}, report::Range{least, most}}};
   for (const double restitution : grid.restitutions)
     chart.x.categories.push_back(fmt::format("{}", restitution));
   for (std::size_t f = 0; f < grid.frictions.size(); ++f) {
@@ -156,9 +159,8 @@ void add_conclusions(const CountGrid& grid, const std::vector<Trend>& trends,
   }
   results.set("conclusions", text);
   results.add(std::move(table));
-  const auto [least, most] = std::ranges::minmax(grid.means);
-  for (std::size_t d = 0; d < grid.disturbances.size(); ++d)
-    results.add(grid_chart(grid, d, {least, most}));
+  results.add(grid_chart("grid-least", grid, 0));
+  results.add(grid_chart("grid-most", grid, grid.disturbances.size() - 1));
 }
 
 }  // namespace ricochet::studies::reproduction

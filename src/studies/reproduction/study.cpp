@@ -137,19 +137,21 @@ report::Results results_of(const Findings& findings) {
 
 Agreement agreement_of(const std::vector<CaseStudy>& cases) {
   Agreement agreement;
-  double squares = 0;
+  std::vector<std::vector<double>> errors;
   for (const CaseStudy& c : cases) {
-    if (c.the_case.claim.threshold && c.score.threshold) {
-      ++agreement.thresholds;
-      squares += std::pow(std::log(*c.score.threshold / *c.the_case.claim.threshold), 2);
-    }
+    if (c.the_case.claim.threshold && c.score.threshold)
+      errors.push_back({std::log(*c.score.threshold / *c.the_case.claim.threshold)});
     for (const Example& e : c.score.examples) {
       ++agreement.examples;
       agreement.right += e.right ? 1 : 0;
     }
   }
-  if (agreement.thresholds > 0)
-    agreement.relative_error = std::sqrt(squares / agreement.thresholds);
+  agreement.thresholds = static_cast<int>(errors.size());
+  if (errors.empty()) return agreement;
+  std::vector<double> all;
+  for (const auto& error : errors) all.push_back(error.front());
+  agreement.relative_error = root_mean_square(all);
+  agreement.interval = root_mean_square_interval(errors, 0.95, 10'000, 1);
   return agreement;
 }
 

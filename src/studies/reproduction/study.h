@@ -11,6 +11,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
+#include "src/analysis/statistics/intervals.h"
 #include "src/experiment/stored_campaign.h"
 #include "src/report/results.h"
 #include "src/report/site/study.h"
@@ -90,10 +91,11 @@ report::Results results_of(const Findings& findings);
 
 /// Agreement of the results with the paper over all cases.
 struct Agreement {
-  int thresholds = 0;         ///< cases with a threshold both in the paper and computed
-  double relative_error = 0;  ///< root mean square of ln(computed / paper) over these
-  int examples = 0;           ///< speeds in the paper's figures
-  int right = 0;              ///< of these, on the same side as in the paper
+  int thresholds = 0;                ///< cases with a threshold both in the paper and computed
+  double relative_error = 0;         ///< root mean square of ln(computed / paper) over these
+  std::optional<Interval> interval;  ///< of 95 %, from samples of these cases; none without a case
+  int examples = 0;                  ///< speeds in the paper's figures
+  int right = 0;                     ///< of these, on the same side as in the paper
 };
 
 Agreement agreement_of(const std::vector<CaseStudy>& cases);

@@ -4,6 +4,7 @@
 
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/carrier_track/suite/machine.h"
+#include "problems/classic/classic.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "src/studies/paper/loss.h"
@@ -36,6 +37,7 @@ std::vector<Family> suite_families(const std::string& scene_file,
   }
   std::vector<Family> families = all_families();
   families.push_back(carrier_track::calibration_family());
+  families.push_back(classic::pathological_family());
   return families;
 }
 

@@ -16,10 +16,11 @@ Catalogue whole_catalogue();
 
 namespace ricochet {
 
-/// Every family of problems of the suite: those of problems/families.h and the calibration of the
-/// paper's default interpretation. With a scene file, "-" for standard input, the families of its
-/// machine instead, after each of `settings`, such as "friction=0.3", has changed it. Throws
-/// InputError if the file or a setting is invalid, or for settings without a file.
+/// Every family of problems of the suite: those of all_families(), the calibration of the
+/// paper's default interpretation, and pathological problems. With a scene file, "-" for standard
+/// input, the families of its machine instead, after each of `settings`, such as "friction=0.3",
+/// has changed it. Throws InputError if the file or a setting is invalid, or for settings without a
+/// file.
 std::vector<Family> suite_families(const std::string& scene_file = "",
                                    const std::vector<std::string>& settings = {});
 

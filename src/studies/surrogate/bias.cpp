@@ -92,7 +92,7 @@ std::size_t usual_of(const BiasPlan& plan) {
   return usual;
 }
 
-/// Error of the fastest quiet speed over the cases, at one smoothing parameter.
+/// Error of the top speed in the window over the cases, at one smoothing parameter.
 struct SpeedError {
   double median, worst;  ///< [rad/s]; of a surrogate that is never quiet, the whole range
   int loud = 0;          ///< cases
@@ -137,7 +137,8 @@ std::string side_of(const BiasStudy& study) {
   const std::string unquiet =
       never > 0 ? fmt::format(" In {} it calls no speed quiet.", never) : std::string();
   return fmt::format(
-      "In {} of {} pairs of a case and a smoothing parameter the surrogate's fastest quiet speed "
+      "In {} of {} pairs of a case and a smoothing parameter the surrogate's top speed in the "
+      "window "
       "is "
       "too high, in {} too low and in {} right to {:g} rad/s.{}",
       fast, fast + slow + right + never, slow, right, study.plan.step, unquiet);
@@ -166,15 +167,15 @@ std::string at_minimum(const BiasStudy& study) {
 Chart speed_gap_chart(const BiasStudy& study) {
   const std::size_t usual = usual_of(study.plan);
   const SpeedError error = speed_error(study, usual);
-  Chart chart{
-      .name = "speed-gap",
-      .title = fmt::format("At smoothing parameter {:g} the fastest quiet speed is {:.2f} rad/s "
-                           "off at worst, {:.2f} in the median",
-                           study.plan.smoothings[usual], error.worst, error.median),
-      .x = {"smoothing parameter", Scale::logarithmic},
-      .y = {"off by [rad/s]"},
-      .width = 760,
-      .height = 340};
+  Chart chart{.name = "speed-gap",
+              .title = fmt::format(
+                  "At smoothing parameter {:g} the top speed in the window is {:.2f} rad/s "
+                  "off at worst, {:.2f} in the median",
+                  study.plan.smoothings[usual], error.worst, error.median),
+              .x = {"smoothing parameter", Scale::logarithmic},
+              .y = {"off by [rad/s]"},
+              .width = 760,
+              .height = 340};
   for (const CaseBias& row : study.cases) {
     Series& series = chart.series.emplace_back(Series{row.id, report::Mark::line, {}});
     for (const Bias& bias : row.biases) {

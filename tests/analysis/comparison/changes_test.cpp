@@ -36,7 +36,11 @@ class Changes : public TemporaryFolder {
     const Campaign campaign = searched_campaign(plan_from(plan, "test"), catalogue);
     Store store = Store::create(folder_ / "runs.sqlite", campaign.description());
     make_runs(campaign, {}, store);
-    return change_table(campaign, cell_results(campaign, store), reported_parts(campaign));
+    const std::vector<CellResult> results = cell_results(campaign, store);
+    const std::vector<ReportedPart> reported = reported_parts(campaign);
+    const std::vector<RatedPart> parts = rated_parts(campaign, results, reported);
+    const Table changes = change_table(campaign, results, parts);
+    return changes.rows.empty() ? level_table(parts[0].comparison, parts[0].groups[0]) : changes;
   }
 };
 

@@ -65,12 +65,9 @@ class Machines : public testing::Test {
 };
 
 report::Results maps_of(const Campaign& campaign, const std::vector<CellResult>& results) {
-  report::Results page;
-  const auto parts = reported_parts(campaign);
-  const auto families = machine_results(campaign, results, parts.at(0));
-  add_machine_maps("bowl", families.at("bowl"), page);
-  add_effects("bowl", families.at("bowl"), page);
-  return page;
+  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  const report::Results page = machines_page(rated_parts(campaign, results, reported));
+  return page.parts.at("families").at(0).results;
 }
 
 using Cells = std::vector<std::optional<double>>;
@@ -83,9 +80,6 @@ TEST_F(Machines, HaveMapsOverTheirConstants) {
   EXPECT_EQ(known.y.categories, (std::vector<std::string>{"restitution 0.9", "restitution 0.1"}));
   EXPECT_EQ(known.heat_map->rows, (std::vector<Cells>{{0.0, 0.9}, {0.0, 0.1}}));
   EXPECT_EQ(known.title, "bowl: best known values of 0 to 0.9");
-  EXPECT_EQ(*page.value("finding"),
-            Value("bowl: best known values of 0 to 0.9; chance-a, original solves most (50 %)."));
-  EXPECT_EQ(page.chart("solved")->heat_map->rows, (std::vector<Cells>{{0.0, 100.0}, {0.0, 100.0}}));
 }
 
 TEST_F(Machines, HaveALandscapeEach) {
@@ -101,54 +95,27 @@ TEST_F(Machines, HaveALandscapeEach) {
   EXPECT_EQ(row.back(), true_values_at(stated, stated.upper).objective);
 }
 
-TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
-  const Campaign campaign = campaign_of({0, 1});
-  const auto results = made_up_machine_results(campaign);
-  const report::Chart effects = *maps_of(campaign, results).chart("effects");
-  EXPECT_EQ(effects.x.categories,
-            (std::vector<std::string>{"disturbance 0", "disturbance 1", "friction 0", "friction 1",
-                                      "restitution 0.1", "restitution 0.9"}));
-  const report::Series& first = effects.series.at(0);
-  EXPECT_EQ(first.label, "chance-a, original");
-  ASSERT_EQ(first.samples.size(), 6U);
-  EXPECT_DOUBLE_EQ(*first.samples[2].value, -50);
-  EXPECT_DOUBLE_EQ(*first.samples[3].value, 50);
-  EXPECT_NEAR(*first.samples[4].value, 0, 1e-10);
-}
-
-TEST_F(Machines, SayWhoSolvesMostAtEachLevel) {
+TEST_F(Machines, SayWhoIsFirstAtEachLevel) {
   const report::Results page = maps_of(campaign_, results_);
   const Table& levels = *page.table("levels");
   ASSERT_EQ(levels.rows.size(), 4U);
-  EXPECT_EQ(levels[1].text("factor"), "friction");
-  EXPECT_EQ(levels[1].text("level"), "1");
+  EXPECT_EQ(levels[0].text("first"), "none") << "at no friction nobody solves";
+  EXPECT_EQ(levels[1].text("changed"), "friction");
+  EXPECT_EQ(levels[1].text("setting"), "1");
   EXPECT_EQ(levels[1].text("first"), "chance-a, original");
-  EXPECT_EQ(levels[1].number("share"), 1);
-  EXPECT_EQ(levels[2].number("share_of_overall"), 0.5);
+  EXPECT_EQ(levels[1].number("returned"), 1);
+  EXPECT_FALSE(levels[1].is("same"));
 }
 
-TEST_F(Machines, HaveAnAtlasOfHowRunsEnded) {
-  report::Results page;
-  add_atlas(campaign_, results_, page);
-  const std::vector<report::Part>& outcomes = page.parts.at("outcomes");
-  ASSERT_EQ(outcomes.size(), 3U);
-  EXPECT_EQ(outcomes[0].id, "solved");
-  const auto row_of = [&](const report::Part& part, const std::string& machine) {
-    const report::Chart& chart = part.results.charts.at(0);
-    const auto place = std::ranges::find(chart.y.categories, machine);
-    return chart.heat_map->rows.at(static_cast<std::size_t>(place - chart.y.categories.begin()));
-  };
-  EXPECT_EQ(row_of(outcomes[0], "M0: 0.1, 0, 0"), Cells{0.0});
-  EXPECT_EQ(row_of(outcomes[0], "M1: 0.1, 1, 0"), Cells{50.0});
-  for (const report::Part& part : outcomes) {
-    if (part.id == "threw") {
-      EXPECT_EQ(row_of(part, "M1: 0.1, 1, 0"), Cells{50.0});
-    }
-    if (part.id == "budget-spent") {
-      EXPECT_EQ(row_of(part, "M0: 0.1, 0, 0"), Cells{50.0});
-      EXPECT_EQ(row_of(part, "M1: 0.1, 1, 0"), Cells{0.0});
-    }
-  }
+TEST(MachinesPage, HasNoFamilyWithoutAGrid) {
+  const Campaign campaign(plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"*\"\nbudgets = "
+                                    "10\ninstances = 1\n",
+                                    "test"),
+                          made_up_catalogue());
+  const auto results =
+      made_up_results(campaign, [](const PlannedCell&) { return std::vector{Outcome()}; });
+  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  EXPECT_TRUE(machines_page(rated_parts(campaign, results, reported)).parts.empty());
 }
 
 }  // namespace

@@ -210,11 +210,11 @@ TEST(Leaders, SayWhoSolvesMoreThanTheFirst) {
   EXPECT_TRUE(is_missing(leader_table(all.parts)[1]["most"])) << "the first solves all";
 }
 
-TEST(Leaders, SayInTheSameRowThatAnotherIsFirstByTheBestEvaluatedPoint) {
-  const Led led({{"a", twice(run_of(10, false))}, {"b", twice(run_of(50))}});
-  const Table leaders = leader_table(led.parts);
-  EXPECT_EQ(leaders[1].text("first"), "b, original");
-  EXPECT_EQ(leaders[1].text("evaluated"), "a, original: 100 %");
+TEST(Leaders, SayThatTheFirstWasTunedToTheSuite) {
+  const Led led({{"mads", twice(run_of(10))}, {"b", twice(run_of(50))}});
+  EXPECT_EQ(leader_table(led.parts)[1].text("tuned"), " (tuned to this suite)");
+  const Led other({{"a", twice(run_of(10))}, {"b", twice(run_of(50))}});
+  EXPECT_EQ(leader_table(other.parts)[1].text("tuned"), "");
 }
 
 TEST(Leaders, NameNobodyFirstWhereNobodySolvedARun) {
@@ -240,6 +240,21 @@ TEST(Unsolved, AreTheProblemsOfWhichNoEntrySolvedARun) {
   EXPECT_EQ(unsolved[0].number("runs"), 4);
   EXPECT_DOUBLE_EQ(unsolved[0].number("gap"), 1 / bowl("bowl-1", 1).tolerance);
   EXPECT_TRUE(unsolved_table(Led({{"a", twice(run_of(3))}}).parts).rows.empty());
+}
+
+TEST(Summary, CountsOrdersInWhichTheFirstStays) {
+  const std::optional<double> none;
+  Table orders{"orders", {{"family"}, {"changed"}, {"correlation"}, {"same"}}};
+  orders.add("a", "seeds", 0.5, true);
+  orders.add("b", "seeds", 0.1, false);
+  orders.add("c", "seeds", 0.9, true);
+  orders.add("c", "price", none, true);
+  const Table summary = summary_of(orders, "summary", {"changed"});
+  ASSERT_EQ(summary.rows.size(), 1U) << "the price is compared with nothing";
+  EXPECT_EQ(summary[0].number("compared"), 3);
+  EXPECT_EQ(summary[0].number("stays"), 2);
+  EXPECT_EQ(summary[0].number("median"), 0.5);
+  EXPECT_EQ(summary[0].number("least"), 0.1);
 }
 
 /// Bowls and as many solvers as asked for; the k-th solves every problem after k evaluations.

@@ -21,6 +21,22 @@ TEST(SolverFacts, AreThoseOfTheSolverItselfAndNoneOfAUsers) {
   EXPECT_FALSE(settings_of("hill-climber").has_value());
 }
 
+// Whoever reads a name must know that the solver was tuned on what it is compared on.
+TEST(SolverFacts, SayOfEverySolverThatWasTunedToTheSuite) {
+  for (const Solver& solver : all_solvers()) {
+    const SolverSettings settings = settings_of(solver.name).value();
+    const bool says = settings.from.find("tuned to this suite") != std::string::npos ||
+                      settings.from.find("did best here") != std::string::npos ||
+                      solver.name.ends_with("-tuned");
+    if (says) EXPECT_TRUE(settings.tuned) << solver.name;
+    EXPECT_EQ(tuned_mark(solver.name).empty(), !settings.tuned || solver.name.ends_with("-tuned"))
+        << solver.name;
+  }
+  EXPECT_EQ(tuned_mark("mads"), " (tuned to this suite)");
+  EXPECT_EQ(tuned_mark("pagmo-cmaes-ipop"), " (tuned to this suite)") << "its first step is";
+  EXPECT_EQ(tuned_mark("ipopt"), "");
+}
+
 TEST(SolverFacts, HaveAKindOfEverySolverOfTheSuite) {
   for (const Solver& solver : all_solvers())
     EXPECT_NE(kind_of(solver.name), "other") << solver.name;

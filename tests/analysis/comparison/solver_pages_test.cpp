@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
@@ -46,8 +47,10 @@ report::Results pages() {
     if (cell.cell.solver == "chance-b" && problem == "bowl-1") return both(50, 50);
     return both({}, {});
   });
-  const auto sets = entry_sets_of(campaign, results, reported_parts(campaign));
-  return solvers_page(campaign, results, sets, speed_accuracy_table(campaign, sets));
+  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  const auto sets = entry_sets_of(campaign, results, reported);
+  return solvers_page(campaign, results, sets, speed_accuracy_table(campaign, sets),
+                      leader_table(rated_parts(campaign, results, reported)));
 }
 
 report::Results part_of(const report::Results& all, const std::string& solver) {
@@ -68,10 +71,12 @@ TEST(SolverPages, CountProblemsSolvedByTheReturnedPointWithTheLargestBudget) {
   EXPECT_EQ(solvers[0].text("fronts"), "bowl");
   EXPECT_EQ(solvers[2].number("solved"), 0);
   EXPECT_EQ(solvers[2].text("fronts"), "");
-  EXPECT_EQ(
-      *part_of(all, "luck").value("summary"),
-      Value("It solved 0 of the 3 problems that it takes, each in at least one run; 1 of the "
-            "others no solver did. It is on no family's Pareto front of speed and accuracy."));
+  EXPECT_EQ(*part_of(all, "luck").value("summary"),
+            Value("It solved 0 of the 3 problems that it takes, each in at least one run."));
+  EXPECT_EQ(solvers[0].text("first"), "bowl");
+  EXPECT_EQ(*part_of(all, "chance-a").value("summary"),
+            Value("It solved 2 of the 3 problems that it takes, each in at least one run. It is "
+                  "first by mean rank on bowl."));
 }
 
 TEST(SolverPages, HaveSuccessRateAndRunningTimeOfEachFamily) {
@@ -82,40 +87,58 @@ TEST(SolverPages, HaveSuccessRateAndRunningTimeOfEachFamily) {
   // (10 + 100) / 1 of one variable, as a run in two solved; 40 / 2 of two: the mean is geometric.
   EXPECT_NEAR(row.number("running_time"), std::sqrt(110.0 * 20.0), 1e-9);
   EXPECT_EQ(row.number("solved"), 2);
-  EXPECT_EQ(row.text("front"), "on the front, also by time");
+  EXPECT_EQ(row.text("front"), "on the front");
   const report::Results luck = part_of(pages(), "luck");
   EXPECT_TRUE(is_missing((*luck.table("families"))[0]["running_time"]));
   EXPECT_EQ((*luck.table("families"))[0].text("front"), "chance-a 50 %");
 }
 
 TEST(SolverPages, NameTheProblemOfAFamilyOnWhichAnotherSolvedMostMore) {
-  const report::Results all = pages(), of_b = part_of(all, "chance-b");
-  const Table& b = *of_b.table("failed");
-  ASSERT_EQ(b.rows.size(), 1U);
-  EXPECT_EQ(b[0].text("problem"), "bowl-2");
-  EXPECT_EQ(b[0].number("share"), 0);
-  EXPECT_EQ(b[0].number("behind"), 1);
-  EXPECT_EQ(b[0].number("of"), 3);
-  EXPECT_EQ(b[0].text("best"), "chance-a");
-  EXPECT_EQ(b[0].number("best_share"), 1);
-  const report::Results of_a = part_of(all, "chance-a");
-  const Table& a = *of_a.table("failed");
-  ASSERT_EQ(a.rows.size(), 1U);
-  EXPECT_EQ(a[0].text("problem"), "bowl-1");
-  EXPECT_EQ(a[0].number("share"), 0.5);
+  const report::Results all = pages();
+  EXPECT_EQ(*part_of(all, "chance-b").value("failed"),
+            Value("It is furthest behind on bowl-2 (0 %; chance-a 100 %)."));
+  EXPECT_EQ(*part_of(all, "chance-a").value("failed"),
+            Value("It is furthest behind on bowl-1 (50 %; chance-b 100 %)."));
 }
 
 TEST(SolverPages, CountTerminationReasonsOfAllRuns) {
-  const report::Results luck = part_of(pages(), "luck");
-  const Table& reasons = *luck.table("terminations");
+  const report::Results all = pages();
+  const Table reasons = where(*all.table("terminations"), "solver", std::string("luck"));
   ASSERT_EQ(reasons.rows.size(), 2U);
   EXPECT_EQ(reasons[0].number("times"), 6);
   EXPECT_EQ(reasons[1].number("times"), 6);
   EXPECT_EQ(reasons[0].number("share"), 0.5);
-  const report::Results of_a = part_of(pages(), "chance-a");
-  const Row first = (*of_a.table("terminations"))[0];
+  const Row first = (*all.table("terminations"))[0];
+  EXPECT_EQ(first.text("solver"), "chance-a");
   EXPECT_EQ(first.text("reason"), "short");
   EXPECT_EQ(first.number("times"), 8);
+  EXPECT_EQ(*part_of(all, "luck").value("ends"), Value("short 50 %; spent 50 %"));
+}
+
+TEST(SolverPages, HaveTheFamiliesOnWhoseFrontTheSolverIsFirstThenThoseFurthestBehind) {
+  const Campaign campaign(
+      plan_from("[[part]]\nproblems = [\"bowl-1\", \"bowl-2\", \"cup-s\"]\nsolvers = "
+                "\"chance-*\"\nbudgets = 100\ninstances = 2\n",
+                "test"),
+      made_up_catalogue());
+  // chance-a is far behind on bowls, and alone on cups.
+  const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
+    const bool solves = (cell.cell.problem == "cup-s") == (cell.cell.solver == "chance-a");
+    const auto run = ending_run(solves ? std::optional<std::int64_t>(9) : std::nullopt, "spent");
+    return std::vector{run, run};
+  });
+  const std::vector<ReportedPart> reported = reported_parts(campaign);
+  const auto sets = entry_sets_of(campaign, results, reported);
+  const report::Results page =
+      solvers_page(campaign, results, sets, speed_accuracy_table(campaign, sets),
+                   leader_table(rated_parts(campaign, results, reported)));
+  const report::Results own = part_of(page, "chance-a");
+  const Table& families = *own.table("families");
+  ASSERT_EQ(families.rows.size(), 2U);
+  EXPECT_EQ(families[0].text("family"), "cup");
+  EXPECT_TRUE(families[0].is("on_front"));
+  EXPECT_EQ(families[1].text("family"), "bowl");
+  EXPECT_EQ(families[1].number("behind"), 1);
 }
 
 TEST(SolverPages, NameTheSolversOfALibraryThatIsOld) {

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
 
-#include "ricochet/random.h"
 #include "src/analysis/statistics/intervals.h"
 
 namespace ricochet {
@@ -23,43 +21,6 @@ TEST(Bootstrap, KeepsInfiniteValuesLast) {
   EXPECT_EQ(quantile({1, infinity, 2}, 0.5), 2.0);
   EXPECT_EQ(quantile({1, infinity, infinity}, 0.5), infinity);
   EXPECT_EQ(quantile({infinity, infinity}, 0.3), infinity);
-}
-
-TEST(Bootstrap, CoversTheTrueMedianAboutAsOftenAsItSays) {
-  Random random(7);
-  int covered = 0;
-  constexpr int trials = 400;
-  for (int i = 0; i < trials; ++i) {
-    const Vector drawn = normal(25, random).array() + 3.0;
-    const std::vector<double> sample(drawn.begin(), drawn.end());
-    const Interval interval = median_interval(sample, 0.95, 300, static_cast<std::uint64_t>(i));
-    covered += interval.lower <= 3.0 && 3.0 <= interval.upper ? 1 : 0;
-  }
-  EXPECT_GT(covered, 0.90 * trials);
-  EXPECT_LT(covered, 0.995 * trials);
-}
-
-TEST(Bootstrap, HasTheQuantilesOfAllResamples) {
-  // The median of 11 draws is at most k where at least 6 are, each with chance k / 11.
-  const auto exact = [](double q) {
-    double k = 1;
-    while (cdf(complement(boost::math::binomial(11, k / 11), 5)) < q) ++k;
-    return k;
-  };
-  const std::vector<double> sample = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  for (const double confidence : {0.5, 0.8, 0.95, 0.9999}) {
-    const Interval interval = median_interval(sample, confidence, 100000, 3);
-    EXPECT_EQ(interval.lower, exact((1 - confidence) / 2)) << confidence;
-    EXPECT_EQ(interval.upper, exact((1 + confidence) / 2)) << confidence;
-  }
-}
-
-TEST(Bootstrap, GivesTheSameIntervalForTheSameSeed) {
-  const std::vector<double> sample = {1, 5, 2, 8, 3, 9, 4};
-  const Interval a = median_interval(sample, 0.95, 100, 1);
-  const Interval b = median_interval(sample, 0.95, 100, 1);
-  EXPECT_EQ(a.lower, b.lower);
-  EXPECT_EQ(a.upper, b.upper);
 }
 
 TEST(Bootstrap, OfARootMeanSquareHasTheQuantilesOfAllResamples) {

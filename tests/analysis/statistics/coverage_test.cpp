@@ -4,13 +4,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "ricochet/random.h"
-#include "src/analysis/statistics/attainment.h"
-#include "src/analysis/statistics/factorial_effects.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
 #include "src/analysis/statistics/running_time.h"
@@ -69,28 +66,6 @@ TEST(Coverage, OfAShareIsRightOnAverage) {
     coverages.print("Wilson's interval of a share of " + std::to_string(trials));
     EXPECT_NEAR(coverages.mean(), 0.95, 0.01);
     EXPECT_GT(coverages.least(), 0.82);
-  }
-}
-
-TEST(Coverage, OfAMedianIsNeverLess) {
-  Random random(1);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const std::size_t size : {std::size_t{6}, std::size_t{15}, std::size_t{30}}) {
-    Coverages coverages;
-    const auto median_of = [&](const auto& value) {
-      return [&, value] {
-        std::vector<double> sample(size);
-        for (double& x : sample) x = value(random);
-        return *order_statistic_interval(sample);
-      };
-    };
-    const auto skew = [](Random& r) { return std::exp(2 * standard_normal(r)); };
-    const auto count = [](Random& r) { return std::floor(5 * uniform(r)); };
-    const auto often_never = [&](Random& r) { return uniform(r) < 0.4 ? infinity : uniform(r); };
-    coverages.all = {coverage(4000, 1, median_of(skew)), coverage(4000, 2, median_of(count)),
-                     coverage(4000, 0.5 / 0.6, median_of(often_never))};
-    coverages.print("the median of " + std::to_string(size) + " by order statistics");
-    EXPECT_GT(coverages.least(), 0.94);  // 0.95 but for three deviations of the simulation
   }
 }
 
@@ -206,97 +181,6 @@ TEST(Coverage, OfKendallsCorrelationIsAboutRight) {
                     " entries each");
     EXPECT_GT(coverages.mean(), 0.92);
     EXPECT_LT(coverages.mean(), 0.98);
-  }
-}
-
-/// A run that attains the value 1 at once with this chance.
-History attaining(double chance, Random& random) {
-  return uniform(random) < chance ? History{{1, 1}} : History{};
-}
-
-TEST(Coverage, OfADifferenceOfAttainmentIsAboutRight) {
-  Random random(6);
-  for (const int size : {12, 30, 60}) {
-    Coverages coverages;
-    for (const double ahead : {0.0, 0.1, 0.3}) {
-      for (const double spread : {0.1, 0.3}) {  // of units, which are hard or easy for both
-        coverages.all.push_back(coverage(500, ahead, [&] {
-          RunsOfUnits a;
-          RunsOfUnits b;
-          for (int i = 0; i < size; ++i) {
-            const double chance = 0.35 + spread * (uniform(random) < 0.5 ? 1 : -1);
-            a.emplace_back();
-            b.emplace_back();
-            for (int run = 0; run < 5; ++run) {
-              a.back().push_back(attaining(chance + ahead, random));
-              b.back().push_back(attaining(chance, random));
-            }
-          }
-          return attainment_difference(a, b, {{1}, {1}})[0][0].interval;
-        }));
-      }
-    }
-    coverages.print("a difference of attainment of " + std::to_string(size) + " units");
-    EXPECT_GT(coverages.mean(), 0.93);
-    EXPECT_LT(coverages.mean(), 0.985);
-  }
-}
-
-/// How the units of a grid of two factors with 3 and 2 levels are drawn.
-enum class Grid { full, with_gaps, one_cell_a_unit };
-
-/// Responses whose first factor's last level is 2 above the mean, and 1 with the second's first.
-std::vector<Response> drawn_grid(std::size_t units, Grid grid, bool solved, Random& random) {
-  std::vector<Response> responses;
-  for (std::size_t unit = 0; unit < units; ++unit) {
-    const double own = standard_normal(random);
-    const double steep = 1 + 0.5 * standard_normal(random);  // the unit's own effect
-    for (std::size_t cell = 0; cell < 6; ++cell) {
-      if (grid == Grid::with_gaps && uniform(random) < 0.15) continue;
-      if (grid == Grid::one_cell_a_unit && cell != unit % 6) continue;
-      const std::size_t i = cell % 3;
-      const std::size_t k = cell / 3;
-      const double together = (i == 2 ? 1.0 : -0.5) * (k == 0 ? 1.0 : -1.0);
-      const double effects = steep * (i == 2 ? 2.0 : -1.0) + together;
-      for (int run = 0; run < 2; ++run) {
-        const double chance = 0.5 + 0.1 * effects + 0.15 * std::tanh(own);
-        const double value = solved ? (uniform(random) < chance ? 1.0 : 0.0)
-                                    : 5 + own + effects + exponential(random) - 1;
-        responses.push_back({{i, k}, unit, value});
-      }
-    }
-  }
-  return responses;
-}
-
-TEST(Coverage, OfFactorialEffectsIsAboutRight) {
-  Random random(7);
-  for (const Grid grid : {Grid::full, Grid::with_gaps, Grid::one_cell_a_unit}) {
-    for (const std::size_t units : {std::size_t{8}, std::size_t{30}}) {
-      if (grid == Grid::one_cell_a_unit && units < 30) continue;  // a unit or two in each cell
-      Coverages coverages;
-      for (const bool solved : {false, true}) {
-        const double scale = solved ? 0.1 : 1;
-        // The mean, the first factor's last level, and that together with the second's first.
-        const std::vector<double> true_values = {solved ? 0.5 : 5, 2 * scale, scale};
-        std::vector<int> held(true_values.size());
-        constexpr int trials = 400;
-        for (int n = 0; n < trials; ++n) {
-          const auto effects = factorial_effects(drawn_grid(units, grid, solved, random), {3, 2});
-          const std::vector<std::size_t> places = {0, 3, 1 + 3 + 2 + 4};
-          for (std::size_t k = 0; k < true_values.size(); ++k) {
-            held[k] += holds(effects[places[k]].interval, true_values[k]) ? 1 : 0;
-          }
-        }
-        for (const int n : held) coverages.all.push_back(static_cast<double>(n) / trials);
-      }
-      const std::vector<std::string> names = {"full grids", "grids with gaps", "one cell a unit"};
-      coverages.print("factorial effects, " + names[static_cast<std::size_t>(grid)] + " of " +
-                      std::to_string(units) + " units");
-      EXPECT_GT(coverages.least(), 0.91);
-      EXPECT_GT(coverages.mean(), 0.93);
-      EXPECT_LT(coverages.mean(), 0.98);
-    }
   }
 }
 

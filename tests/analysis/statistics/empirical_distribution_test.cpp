@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "src/analysis/statistics/attainment.h"
+#include "src/analysis/statistics/profiles.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

@@ -108,6 +108,18 @@ TEST(Worker, SurvivesASolverThatCrashes) {
   expect_failed(run_that([] { _exit(0); }), HasSubstr("exit status 0"));
 }
 
+/// If that is shorter than the limit of the plan.
+TEST(Worker, KillsARunAfterTheLongestTimeOfItsProblem) {
+  const Solver hanging = that([] { std::this_thread::sleep_for(std::chrono::hours(1)); });
+  Problem problem = valley();
+  problem.longest_run = 0.3;
+  EXPECT_THAT(records_of(problem, hanging, {60, 256})[0].failure,
+              StartsWith("killed: it took more than 0.3 s"));
+  problem.longest_run = 60;
+  EXPECT_THAT(records_of(problem, hanging, {0.2, 256})[0].failure,
+              StartsWith("killed: it took more than 0.2 s"));
+}
+
 TEST(Worker, KillsASolverThatHangs) {
   const Limits soon{0.3, 256};
   expect_failed(run_that([] { std::this_thread::sleep_for(std::chrono::hours(1)); }, soon),

@@ -7,6 +7,7 @@ import path from "node:path";
 import {createRequire} from "node:module";
 import {fileURLToPath, pathToFileURL} from "node:url";
 import {chartsOf, marksOf} from "./chart_marks.js";
+import {brokenWords, cutTexts, faintTexts, smallTargets, wrongNumbers} from "./page_checks.js";
 import {checkView, records} from "./view_checks.js";
 
 const [program, reports, folder] = process.argv.slice(2);
@@ -81,9 +82,21 @@ const checkLinks = (name) => {
 const shorten = (page) =>
   page.$$eval("tbody tr:nth-child(n + 11), figure svg > :not(title, desc)", (parts) => parts.forEach((part) => part.remove()));
 
+// What a screen of this width shows badly, whatever the page.
+const checkLooks = async (page, what, checks = [smallTargets, brokenWords, cutTexts, faintTexts, wrongNumbers]) => {
+  await page.$$eval("details", (all) => all.forEach((part) => { part.open = true; }));
+  for (const one of checks) {
+    const found = await page.evaluate(one);
+    check(found.length === 0, `${what}: ${found.length} of ${one.name}: ${found.slice(0, 5).join(" | ")}`);
+  }
+  const lost = await page.$$eval("img", (all) => all.filter((one) => one.naturalWidth === 0).map((one) => one.src));
+  check(lost.length === 0, `${what}: no picture ${lost}`);
+};
+
 const lookAt = async (name) => {
   checkLinks(name);
   const page = await open(name);
+  await checkLooks(page, name);
   const empty = await page.$$eval("figure svg", (all) => all.filter((svg) => !svg.querySelector("path, use, polygon, rect, circle")).length);
   check(empty === 0, `${name}: ${empty} charts are empty`);
   const untold = await page.$$eval("figure svg", (all) => all.filter((svg) => svg.getAttribute("role") !== "img" || !svg.querySelector("title, desc")).length);
@@ -99,14 +112,18 @@ const lookAt = async (name) => {
   await page.setViewport({width: 400, height: 800});
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   check(wide <= 400, `${name}: ${wide} pixels wide on a screen of 400`);
+  await checkLooks(page, `${name} on a screen of 400`);
   const lines = await page.$$eval("nav.site .words a", (all) => new Set(all.map((a) => Math.round(a.getBoundingClientRect().top))).size);
   check(lines === 1, `${name}: the words of the navigation have ${lines} lines on a screen of 400`);
   // Tables of many columns fold: every cell has its label, and nothing slides.
   const folding = await page.$$eval("table.folding", (all) => all.filter((table) => table.checkVisibility()).map((table) => ({
     slides: table.scrollWidth > table.parentElement.clientWidth + 1, text: table.textContent.trim().slice(0, 60),
-    bare: [...table.querySelectorAll("td")].filter((one) => one.textContent && one.checkVisibility() && !/^"/.test(getComputedStyle(one, "::before").content)).length})));
-  for (const {slides, bare, text} of folding) check(!slides && bare === 0, `${name}: on a screen of 400 a table slides (${slides}) or has ${bare} cells without a label: ${text}`);
+    bare: [...table.querySelectorAll("td")].filter((one) => one.textContent && one.checkVisibility() && !getComputedStyle(one, "::before").content.startsWith(`"${table.tHead.rows[0].cells[one.cellIndex].textContent}"`)).length})));
+  for (const {slides, bare, text} of folding) check(!slides && bare === 0, `${name}: on a screen of 400 a table slides (${slides}) or has ${bare} cells without their column's label: ${text}`);
   await page.setViewport({width: 1440, height: 900});
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "dark"}]);
+  await checkLooks(page, `${name}, dark`, [faintTexts]);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "light"}]);
   await shorten(page);
   await page.evaluate(axe);
   await audit(page, name);
@@ -115,11 +132,11 @@ const lookAt = async (name) => {
   await page.close();
 };
 
-// Pages of solvers, of a comparison's families and of problems are drawn from one template each: the
+// Pages of documents and of a comparison are drawn from one template each: the
 // largest three stand for them. Links are followed on all.
 const bySize = [...pages].sort((a, b) => fs.statSync(path.join(folder, b)).size - fs.statSync(path.join(folder, a)).size);
 const alike = [];
-for (const kind of [/^docs\/[^/]+\/index\.html$/, /^comparison\/[^/]+\/index\.html$/, /^problems\/[^/]+\/index\.html$/]) {
+for (const kind of [/^docs\/[^/]+\/index\.html$/, /^comparison\/[^/]+\/index\.html$/]) {
   const ofKind = bySize.filter((name) => kind.test(name) && !alike.includes(name) && name !== "comparison/view/index.html");
   check(ofKind.length > 8, `only ${ofKind.length} pages like ${kind}`);
   alike.push(...ofKind.slice(3));

@@ -56,7 +56,7 @@ TEST_F(DocsPages, HaveLinksThatLeadSomewhereInTheSite) {
 TEST_F(DocsPages, HaveTheSketchOfTheMachine) {
   write_docs_pages(folder_, {});
   EXPECT_THAT(document_text(folder_ / "docs/machine-files/index.html"),
-              testing::HasSubstr("href=\"../machine.svg\""));
+              testing::HasSubstr("<img src=\"../machine.svg\" alt=\"The machine: "));
   EXPECT_EQ(document_text(folder_ / "docs/machine.svg"),
             document_text(fs::path(RICOCHET_SOURCE) / "docs/machine.svg"));
 }
@@ -64,10 +64,24 @@ TEST_F(DocsPages, HaveTheSketchOfTheMachine) {
 TEST_F(DocsPages, CanBeSearchedWithTheReports) {
   FoundReport report = made_up("verification", Json::object(), "proof");
   report.headline->finding = "No </script> is wrong.";
+  fs::create_directories(folder_ / "proof");
+  std::ofstream(folder_ / "proof/summary.md")
+      << "# Proof\n\n<!-- part: nlopt-cobyla x -->\n\n### nlopt-cobyla\n\nPowell's.\n\n"
+         "#### Where?\n\nThere.\n\n| a |\n|:--|\n| cell |\n";
+  std::ofstream(folder_ / "proof/index.html") << "<div id=\"nlopt-cobyla\"></div>";
   write_docs_pages(folder_, {report});
   const std::string page = document_text(folder_ / "docs/index.html");
   EXPECT_THAT(page, testing::HasSubstr("../proof/index.html"));
   EXPECT_THAT(page, testing::HasSubstr("No \\u003c/script> is wrong."));
+  const std::size_t list = page.find("id=\"texts\">") + 11;
+  const Json entries = Json::parse(page.substr(list, page.find("</script>", list) - list));
+  const auto solver = std::ranges::find(entries, "../proof/index.html#nlopt-cobyla",
+                                        [](const Json& entry) { return entry["address"]; });
+  ASSERT_NE(solver, entries.end());
+  EXPECT_EQ((*solver)["page"], "Proof");
+  EXPECT_EQ((*solver)["heading"], "nlopt-cobyla");
+  EXPECT_THAT((*solver)["text"].get<std::string>(), testing::HasSubstr("Where? There."));
+  EXPECT_THAT((*solver)["text"].get<std::string>(), testing::Not(testing::HasSubstr("cell")));
   EXPECT_THAT(page, testing::HasSubstr("threshold-and-regimes/index.html#what-is-quiet"));
 }
 

@@ -13,47 +13,46 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<FoundReport> two_reports() {
-  return {made_up("surrogate", Json::object(), "surrogate", {"count", "top-speed"}),
-          made_up("comparison", Json::object(), "ill & mean")};
+  return {made_up("comparison", Json::object(), "comparison", {"count", "top-speed"}),
+          made_up("verification", Json::object(), "small & fine")};
 }
 
 std::string links_at(const std::string& here) {
-  return navigation(places_of(two_reports(), {{"Simulation", "Cite", "cite"}}), here);
+  return navigation(places_of(two_reports(), {{"Data", "Cite", "cite"}}), here);
 }
 
 class LinkPages : public TemporaryFolder {};
 
 TEST(Navigation, HasAWordForEachGroupThatLeadsToItsFirstPlace) {
-  const std::string links = links_at("surrogate");
+  const std::string links = links_at("comparison");
   EXPECT_THAT(links, HasSubstr("<a href=\"../index.html\">ricochet</a>"));
-  EXPECT_THAT(links, HasSubstr("<a href=\"../ill &amp; mean/index.html\">Solvers</a>"));
-  EXPECT_THAT(links,
-              HasSubstr("<a href=\"../cite/index.html\" aria-current=\"true\">Simulation</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../small &amp; fine/index.html\">Simulation</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../cite/index.html\">Data</a>"));
   EXPECT_THAT(links, Not(HasSubstr("Machine")));
 }
 
 TEST(Navigation, ListsThePlacesOfTheOwnGroupAndMarksTheOwn) {
-  const std::string links = links_at("surrogate");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../surrogate/index.html\" aria-current=\"page\">"));
+  const std::string links = links_at("comparison");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../comparison/index.html\" aria-current=\"page\">"));
   EXPECT_THAT(links, HasSubstr("<a href=\"../cite/index.html\">Cite</a>"));
-  EXPECT_THAT(links, Not(HasSubstr("All solvers: ill")));
-  EXPECT_THAT(links, HasSubstr("<a href=\"../surrogate/count/index.html\">count</a>"));
+  EXPECT_THAT(links, Not(HasSubstr("Proof of the impacts: small")));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../comparison/count/index.html\">count</a>"));
   EXPECT_THAT(links, Not(HasSubstr("crumbs")));
 }
 
 TEST(Navigation, OfAPageOfAReportLeadsBackToIt) {
-  const std::string links = links_at("surrogate/count");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../../surrogate/index.html\">Surrogate</a> › count"));
-  EXPECT_THAT(links, HasSubstr("<a href=\"../../surrogate/top-speed/index.html\">"));
+  const std::string links = links_at("comparison/count");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../comparison/index.html\">All solvers</a> › count"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../comparison/top-speed/index.html\">"));
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"page\""));
 }
 
 TEST(Navigation, OfAPageInAPageLeadsBackToBoth) {
-  const std::string links = links_at("surrogate/count/count-C1");
+  const std::string links = links_at("comparison/count/count-C1");
   EXPECT_THAT(links, HasSubstr("<a href=\"../../../index.html\">ricochet</a>"));
   EXPECT_THAT(links,
-              HasSubstr("<a href=\"../../../surrogate/index.html\">Surrogate</a> › "
-                        "<a href=\"../../../surrogate/count/index.html\">count</a> › count-C1"));
+              HasSubstr("<a href=\"../../../comparison/index.html\">All solvers</a> › "
+                        "<a href=\"../../../comparison/count/index.html\">count</a> › count-C1"));
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"true\""));
   EXPECT_THAT(links, Not(HasSubstr("aria-current=\"page\"")));
 }
@@ -65,23 +64,23 @@ TEST(Navigation, OfTheFrontPageHasNoPagesOfReports) {
 }
 
 TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
-  const auto page = folder_ / "surrogate" / "index.html";
-  keep(folder_, "surrogate", Json::object());
+  const auto page = folder_ / "comparison" / "index.html";
+  keep(folder_, "comparison", Json::object());
   std::ofstream(page) << "a<!-- navigation -->old<!-- /navigation -->b";
   const std::vector<Place> places = places_of(two_reports(), {});
   for (int times = 0; times < 2; ++times) link_pages(folder_, places, two_reports());
   std::ifstream stream(page);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   EXPECT_EQ(text,
-            "a<!-- navigation -->\n" + navigation(places, "surrogate") + "<!-- /navigation -->b");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "ill & mean"));
+            "a<!-- navigation -->\n" + navigation(places, "comparison") + "<!-- /navigation -->b");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "small & fine"));
 }
 
 TEST_F(LinkPages, PutsTheLinksIntoPagesInPages) {
-  keep(folder_, "surrogate", {{"report", "surrogate"}, {"pages", {"count"}}});
-  keep(folder_ / "surrogate", "count", {{"pages", {"count-C1", "../up"}}});
-  std::filesystem::create_directories(folder_ / "surrogate/count/count-C1");
-  const auto page = folder_ / "surrogate/count/count-C1/index.html";
+  keep(folder_, "comparison", {{"report", "comparison"}, {"pages", {"count"}}});
+  keep(folder_ / "comparison", "count", {{"pages", {"count-C1", "../up"}}});
+  std::filesystem::create_directories(folder_ / "comparison/count/count-C1");
+  const auto page = folder_ / "comparison/count/count-C1/index.html";
   std::ofstream(page) << "<!-- navigation --><!-- /navigation -->";
   const auto reports = found_reports(folder_);
   ASSERT_EQ(reports.size(), 1U);

@@ -14,12 +14,12 @@ std::vector<std::string> folders_of(const std::vector<Place>& places) {
 
 TEST(Places, AreInTheOrderOfTheWordsWithTheSitesOwnFirst) {
   const std::vector<FoundReport> reports = {
-      made_up("surrogate", Json::object(), "surrogate"),
+      made_up("verification", Json::object(), "verification"),
       made_up("comparison", Json::object(), "mine"),
       made_up("reproduction", Json::object(), "reproduction")};
   EXPECT_THAT(
       folders_of(places_of(reports, {{"Data", "Cite", "cite"}, {"Machine", "It", "machine"}})),
-      testing::ElementsAre("machine", "mine", "surrogate", "reproduction", "cite"));
+      testing::ElementsAre("machine", "mine", "verification", "reproduction", "cite"));
 }
 
 TEST(Places, HaveThosePagesOfReportsThatNameAGroup) {

@@ -36,6 +36,7 @@ const tests = {
   "a solver is found by its name, and by a part of it": () => {
     const entries = [entry("Solvers", "nlopt-cobyla", "Powell 1994"), entry("Solvers", "nlopt-bobyqa", "unlike nlopt-cobyla"), entry("Solvers", "prima-cobyla")];
     assert.deepEqual(links(entries, "nlopt-cobyla"), ["Solvers: nlopt-cobyla", "Solvers: nlopt-bobyqa"]);
+    assert.deepEqual(links([entry("Solvers", "nlopt-cobyla-tuned", "as nlopt-cobyla"), ...entries], "NLopt-COBYLA")[0], "Solvers: nlopt-cobyla");
     assert.deepEqual(links(entries, "cobyla"), ["Solvers: nlopt-cobyla", "Solvers: prima-cobyla", "Solvers: nlopt-bobyqa"]);
   },
   "a heading's whole word goes before its beginning, and that before texts": () => {
@@ -45,6 +46,23 @@ const tests = {
   "all words must be there, in the page's title, the heading or the text": () => {
     const entries = [entry("Identify", "Steps", "the quiet threshold"), entry("Threshold", "Quiet", ""), entry("Threshold", "Loud", "")];
     assert.deepEqual(links(entries, "quiet threshold"), ["Threshold: Quiet", "Identify: Steps"]);
+  },
+  "words of a question that ask for nothing are left out": () => {
+    const entries = [entry("a", "Noise", "a solver"), entry("b", "Is it how?", "")];
+    assert.deepEqual(links(entries, "Which solver should I use with noise?"), ["a: Noise"]);
+    assert.deepEqual(links(entries, "how"), ["b: Is it how?"]);
+  },
+  "a word is found in its other forms": () => {
+    const entries = [entry("a", "Noise", ""), entry("b", "A crash", ""), entry("c", "C1", "")];
+    assert.deepEqual(links(entries, "noisy"), ["a: Noise"]);
+    assert.deepEqual(links(entries, "crashes"), ["b: A crash"]);
+    assert.deepEqual(links(entries, "crashing"), ["b: A crash"]);
+  },
+  "where no entry has all words, those with most are shown, and it is said": () => {
+    const entries = [entry("a", "red green", ""), entry("b", "red", ""), entry("c", "blue", "")];
+    const {hits, told} = asked(entries, "red green blue");
+    assert.deepEqual(hits.map(({link}) => link), ["a: red green"]);
+    assert.equal(told, "1 found with 2 of the 3 words.");
   },
   "signs that mean something to a pattern are found as they are": () => {
     const entries = [entry("a", "C++ (20)", "a.b [rad/s]")];

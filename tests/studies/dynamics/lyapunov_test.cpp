@@ -155,7 +155,7 @@ TEST(Lyapunov, ForetellsWhenRunsOneRoundingApartPart) {
 }
 
 TEST(Lyapunov, FindsNoPairOfRunsOfAPaperCaseThatParts) {
-  const LyapunovStudy study = study_lyapunov({{3, 10}, 20, {5}, 4});
+  const LyapunovStudy study = study_lyapunov({{3, 10}, 20, 4});
   ASSERT_EQ(study.cells.size(), 12U);
   for (const auto& row : study.cells) {
     ASSERT_EQ(row.size(), 2U);

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
@@ -26,11 +25,19 @@ ThresholdStudy study_with_stand_ins() {
   return study_thresholds({{"C1", "C2"}, 0.5, 9, {}, {1e-3, 1e-6}, {1e-4}}, stand_ins);
 }
 
-report::Json row_named(const report::Json& data, const std::string& name) {
-  for (const report::Json& row : data["simulations"]) {
-    if (row["simulation"] == name) return row;
-  }
-  throw std::out_of_range(name);
+const Table& table_with_stand_ins() {
+  static const report::Results results = [] {
+    report::Results made;
+    add_to(made, study_with_stand_ins());
+    return made;
+  }();
+  return *results.table("thresholds");
+}
+
+Row row_named(const std::string& name) {
+  return table_with_stand_ins()
+      .find([&](const Row& row) { return row.text("simulation") == name; })
+      .value();
 }
 
 TEST(Thresholds, OfHardWallsAreThoseThatTheProblemsOfTopSpeedKnow) {
@@ -52,35 +59,31 @@ TEST(Thresholds, OfHardWallsAreThoseThatTheProblemsOfTopSpeedKnow) {
 }
 
 TEST(Thresholds, AreThoseOfTheSimulation) {
-  const report::Json data = data_of(study_with_stand_ins());
-  ASSERT_EQ(data["simulations"].size(), 5U);  // two levels, two tolerances, one step
-  EXPECT_EQ(data["simulations"][0]["error"], 0.0);
-  EXPECT_LT(row_named(data, "auto")["error"], 1e-6);
-  const double first = data["cases"][0]["threshold"], second = data["cases"][1]["threshold"];
-  const report::Json silent = row_named(data, "silent");  // quiet up to the fastest speed
-  EXPECT_DOUBLE_EQ(silent["error"], 18 - std::min(first, second));
-  EXPECT_DOUBLE_EQ(silent["error_least"], 18 - std::max(first, second));
-  EXPECT_EQ(silent["control"], "tolerance 1e-3");
-  EXPECT_FALSE(silent["within"].get<bool>());
-  const report::Json endless = row_named(data, "endless");  // loud everywhere
-  EXPECT_TRUE(endless["error"].is_null());
-  EXPECT_EQ(endless["missing"], 2);
-  EXPECT_EQ(endless["unfinished"], 72);  // 36 speeds of two cases
-  EXPECT_EQ(endless["kind"], "fixed steps");
+  ASSERT_EQ(table_with_stand_ins().rows.size(), 5U);  // two levels, two tolerances, one step
+  EXPECT_EQ(row_named("event-driven").number("error"), 0.0);
+  EXPECT_LT(row_named("auto").number("error"), 1e-6);
+  const ThresholdStudy study = study_with_stand_ins();
+  const auto& right = study.simulations.front().cases;
+  const Row silent = row_named("silent");  // quiet up to the fastest speed
+  EXPECT_DOUBLE_EQ(silent.number("error"), 18 - std::min(*right[0].speed, *right[1].speed));
+  EXPECT_DOUBLE_EQ(silent.number("error_least"), 18 - std::max(*right[0].speed, *right[1].speed));
+  EXPECT_EQ(silent.text("control").substr(0, 10), "tolerance ");
+  EXPECT_FALSE(silent.is("within"));
+  const Row endless = row_named("endless");  // loud everywhere
+  EXPECT_FALSE(endless.number_if("error"));
+  EXPECT_EQ(endless.number("unfinished"), 72);  // 36 speeds of two cases
 }
 
-TEST(Thresholds, TellTheCheapestWithinTheTolerance) {
-  const report::Json data = data_of(study_with_stand_ins());
-  EXPECT_EQ(data["within"], 2);
-  EXPECT_EQ(data["tried"], 5);
-  for (const report::Json& row : data["simulations"]) {
-    EXPECT_GT(row["seconds"], 0.0);
-    EXPECT_LE(row["seconds_least"], row["seconds"]);
-    EXPECT_GE(row["seconds_most"], row["seconds"]);
-    if (row["within"].get<bool>()) {
-      EXPECT_GE(row["seconds"], data["cheapest"]["seconds"]);
-    }
-  }
+TEST(Thresholds, TellTheCheapestWithinTheToleranceFirst) {
+  const Table& table = table_with_stand_ins();
+  EXPECT_TRUE(table[1].is("within"));
+  EXPECT_FALSE(table[2].is("within"));
+  EXPECT_LE(table[0].number("seconds"), table[1].number("seconds"));
+  each_row(table, [](const Row& row) {
+    EXPECT_GT(row.number("seconds"), 0.0);
+    EXPECT_LE(row.number("seconds_least"), row.number("seconds"));
+    EXPECT_GE(row.number("seconds_most"), row.number("seconds"));
+  });
 }
 
 }  // namespace

@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 
 #include "ricochet/error.h"
-#include "src/report/page_template.h"
+#include "src/report/markdown_page.h"
 #include "src/report/report.h"
 #include "tests/studies/impact_test/some_scenes.h"
 
 namespace ricochet::studies::impact_test {
 namespace {
-
-using report::Json;
 
 /// A tool that says that nothing ever strikes a wall, but for one kind of scenes, which it cannot
 /// express.
@@ -35,38 +33,53 @@ TEST(Results, CompareEverybody) {
   const Measured& quiet = results.measured.back();
   ASSERT_EQ(quiet.tool.name, "quiet");
   EXPECT_EQ(quiet.cannot, "e = 0");
-  const Json data = data_of(results);
-  EXPECT_EQ(data["ours"]["wrong"], 0);
-  EXPECT_EQ(data["standings"][0]["tool"], "ricochet");
-  const Json& last = data["standings"].back();
-  EXPECT_EQ(last["tool"], "quiet");
-  EXPECT_EQ(last["missed"], 1000);
-  EXPECT_EQ(last["invented"], 0);
-  EXPECT_EQ(last["cannot"], 4);
-  EXPECT_GT(last["ratio"], 100);
-  EXPECT_EQ(data["found"]["tools"], 1);
-  EXPECT_EQ(data["found"]["hardest"]["tools"], 1);
+  const report::Results all = results_of(results);
+  EXPECT_EQ(text_of(*all.value("lost")), "0");
+  EXPECT_THAT(
+      text_of(*all.value("finding")),
+      testing::HasSubstr("Of 1 tools, 0 lose none and 1 lose some: the best, quiet, 1000 per"));
+  const Table& tools = *all.table("tools");
+  EXPECT_EQ(tools[0].text("tool"), "ricochet");
+  const Row last = tools[tools.rows.size() - 1];
+  EXPECT_EQ(last.text("tool"), "quiet");
+  EXPECT_EQ(last.number("missed"), 1000);
+  EXPECT_EQ(last.number("invented"), 0);
+  EXPECT_GT(last.number("ratio"), 100);
+  EXPECT_EQ((*all.table("levels"))[0].text("tool"), "quiet");
+  EXPECT_EQ((*all.table("levels"))[0].number("cannot"), 4);
+  each_row(*all.table("kinds"), [](const Row& kind) {
+    EXPECT_EQ(kind.number("lost_by"), kind.text("kind") == "plastic" ? 0 : 1);
+  });
   // Every level of a simulator is a dot of its kind; one has its name.
   std::size_t dots = 0, names = 0;
-  for (const Json& kind : data["dots"]) {
-    dots += kind["rows"].size();
-    for (const Json& row : kind["rows"]) names += row["name"] == "quiet";
+  for (const report::Series& series : all.chart("losses-over-time")->series) {
+    if (series.pale) continue;
+    dots += series.samples.size();
+    for (const report::Sample& sample : series.samples) names += sample.name == "quiet";
   }
   EXPECT_EQ(dots, results.measured.size());
   EXPECT_EQ(names, 1U);
   // One impact is enough.
-  const Json& broken = data["broken"].back();
-  EXPECT_EQ(broken["tool"], "quiet");
-  EXPECT_EQ(broken["missed"], 1);
+  const auto broken = all.table("smallest-scenes")->find([](const Row& row) {
+    return row.text("tool") == "quiet";
+  });
+  ASSERT_TRUE(broken);
+  EXPECT_EQ(broken->number("missed"), 1);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "smallest" / "quiet.jsonl"));
 }
 
-TEST(Results, FillTheTemplate) {
+TEST(Results, FillThePage) {
   const ScratchFolder folder;
-  Json data = data_of(impact_test(small_plan(folder.path())));
-  data["made"] = {{"version", "1"}, {"compiler", "c"}, {"threads", 1}, {"seconds", 1.0}};
-  const auto page = report::drawn(report::page_template("impact-test"), data);
-  EXPECT_THAT(page.epilogue, testing::HasSubstr("quiet"));
+  report::Json data = json_of(results_of(impact_test(small_plan(folder.path()))));
+  data["made"] = {{"version", "1"},
+                  {"compiler", "c"},
+                  {"threads", 1},
+                  {"seconds", 1.0},
+                  {"date", "2031-02-03"}};
+  const report::Results all = report::results_of(data);
+  const auto page = report::page_source(report::page_template("impact-test"));
+  EXPECT_TRUE(page_files(page, all).failures.empty());
+  EXPECT_THAT(terminal_text(page, all), testing::HasSubstr("quiet"));
 }
 
 TEST(Results, NameAToolThatDoesNotStart) {

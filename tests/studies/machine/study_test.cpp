@@ -65,8 +65,8 @@ TEST(AdviceStudy, DrawsTheLongRunUnlessTheWindowIsLimited) {
     return testing::DoubleNear(expected, six_digits * expected);
   };
   EXPECT_THAT(table[2].number("to"), near(regimes[3].to));
-  EXPECT_THAT(table[2].number("energy"), near(1e3 * regimes[3].last.energy_per_turn));
-  EXPECT_THAT(table[2].number("impact"), near(1e3 * regimes[3].last.fastest_impact));
+  EXPECT_THAT(table[2].number("energy_per_turn"), near(regimes[3].last.energy_per_turn));
+  EXPECT_THAT(table[2].number("fastest_impact"), near(regimes[3].last.fastest_impact));
   const auto& energies = results.chart("energy")->series.at(0).samples;
   ASSERT_EQ(energies.size(), 2 * regimes.size());
   EXPECT_THAT(*energies[7].value, near(1e3 * regimes[3].last.energy_per_turn));

@@ -67,7 +67,7 @@ TEST(Conclusions, AreToldWithWhereTheyFail) {
   const Table& table = *results.table("conclusions");
   EXPECT_EQ(table[2].number("agree"), 3);
   EXPECT_EQ(table[2].number("disagree"), 1);
-  const report::Chart& map = *results.chart("grid-2");
+  const report::Chart& map = *results.chart("grid-most");
   EXPECT_EQ(map.heat_map->rows[1][0], 2) << "friction 0.4, restitution 0.1, disturbance 1 N";
   report::check(map);
 }

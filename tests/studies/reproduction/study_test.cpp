@@ -114,6 +114,11 @@ TEST(Study, AgreesWithThePaperByTheLogarithmOfTheRatio) {
   const Agreement agreement = agreement_of(cases);
   EXPECT_EQ(agreement.thresholds, 2);
   EXPECT_DOUBLE_EQ(agreement.relative_error, std::log(2.0) / std::sqrt(2.0));
+  // Two of four samples have one error twice.
+  ASSERT_TRUE(agreement.interval);
+  EXPECT_EQ(agreement.interval->lower, 0);
+  EXPECT_DOUBLE_EQ(agreement.interval->upper, std::log(2.0));
+  EXPECT_FALSE(agreement_of({}).interval);
   EXPECT_EQ(agreement.examples, 2);
   EXPECT_EQ(agreement.right, 1);
 }

@@ -38,6 +38,22 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
                           {"profile-wear-16-C4", 2}, {"top-speed-C1", 1}, {"hs-71", 1}}));
 }
 
+/// An ordinary plan must not hang, and an archive's plan of all problems keeps its meaning.
+TEST(Catalogue, LeavesPathologicalProblemsToPlansThatNameThem) {
+  const auto chosen = [](const std::string& problems) {
+    const Campaign campaign(plan_from("[[part]]\nproblems = " + problems +
+                                          "\nsolvers = [\"random-search\", \"nlopt-cobyla\"]\n"
+                                          "budgets = 1\ninstances = 1",
+                                      "test"),
+                            whole_catalogue());
+    int pathological = 0;
+    for (const Problem& problem : campaign.problems()) pathological += problem.hazardous ? 1 : 0;
+    return std::pair(pathological, std::ssize(campaign.problems()) - pathological);
+  };
+  EXPECT_EQ(chosen("\"pathological-*\""), std::pair(9, std::ptrdiff_t{0}));
+  EXPECT_EQ(chosen("[\"*-throws\", \"classic-b*\"]"), std::pair(0, std::ptrdiff_t{3}));
+}
+
 TEST(Catalogue, NamesThePlaceOfAMachineThatItDoesNotKnow) {
   const auto said = [](const std::string& machines) -> std::string {
     try {

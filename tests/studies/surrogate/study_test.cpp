@@ -64,7 +64,7 @@ TEST(SurrogateStudy, SaysHowFarTheFastestQuietSpeedIsOff) {
                                  "in 1."));
   EXPECT_THAT(std::get<std::string>(*results.value("bias-side")),
               HasSubstr("In 3 of 6 pairs of a case and a smoothing parameter the surrogate's "
-                        "fastest quiet speed is too high, in 1 too low and in 2 right"));
+                        "top speed in the window is too high, in 1 too low and in 2 right"));
   const Table& speeds = *results.table("quiet-speeds");
   EXPECT_EQ(speeds[1].number("at_0.25"), 8);
   EXPECT_EQ(speeds[1].number("fastest"), 5);

@@ -1,0 +1,340 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+#include "tests/report/site/stated.h"
+
+/// What README and the documents say of solvers, of the surrogate and of the proof is what their
+/// reports computed; and no document has a result that is neither in a report nor dated.
+namespace ricochet::site {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How a solver does on a family, in a formulation.
+Row runs_of(const Committed& comparison, const std::string& family, const std::string& solver,
+            const std::string& formulation) {
+  return comparison.row("speed-accuracy", [&](const Row& row) {
+    return row.text("family") == family && row.text("solver") == solver &&
+           row.text("formulation") == formulation && row.is("largest");
+  });
+}
+
+/// On all families that most solvers take.
+Row on_all(const Committed& comparison, const std::string& solver) {
+  return runs_of(comparison, "all", solver, "the best of each");
+}
+
+std::string share(const Row& row) {
+  return fmt::format("{:.0f} %", 100 * row.number("share"));
+}
+
+std::string ends(const Row& row, const char* between) {
+  return fmt::format("{:.0f}{}{:.0f}", 100 * row.number("lower"), between,
+                     100 * row.number("upper"));
+}
+
+/// What both say of the paper's algorithm beside random search.
+std::string fireworks_and_random_search(const Committed& comparison, const char* form) {
+  const Row own = on_all(comparison, "fireworks"), drawn = on_all(comparison, "random-search");
+  return fmt::format(fmt::runtime(form), share(own), ends(own, " to "), share(drawn),
+                     ends(drawn, " to "));
+}
+
+TEST(StatedResults, OfReadmeAreThoseOfTheComparison) {
+  const Committed comparison("comparison");
+  Document readme = part_of("README.md", "**What is the paper's fireworks", "## Two commands");
+  readme.states(fireworks_and_random_search(
+      comparison, "solves {} of its runs (95 % interval {} %), random search {} ({} %)"));
+  const Row strategy = on_all(comparison, "pagmo-cmaes");
+  readme.states(fmt::format("CMA-ES (`pagmo-cmaes`) {} ({} %), on the {:.0f} problems",
+                            share(strategy), ends(strategy, " to "), strategy.number("problems")));
+  readme.states(
+      "with 100 evaluations a variable, or 20 beyond 15 variables");  // as the plan has it
+  const Row fireworks = runs_of(comparison, "top-speed", "fireworks", "penalised-count");
+  const Row drawn = runs_of(comparison, "top-speed", "random-search", "count");
+  const Row bisection = runs_of(comparison, "top-speed", "bisection", "count");
+  EXPECT_EQ(bisection.number("share"), 1);
+  readme.states(fmt::format(
+      "in {} of its runs on {:.0f} problems, random search in {}; bisection in all, in {:.0f} "
+      "evaluations on average",
+      share(fireworks), fireworks.number("problems"), share(drawn),
+      bisection.number("evaluations")));
+
+  struct First {
+    const char *family, *asked, *solver, *formulation, *named;
+  };
+  for (const First& first :
+       {First{"top-speed", "top speed in the window, one variable", "bisection", "count",
+              "bisection, on the count"},
+        First{"hard-top-speed", "the same, quiet again far beyond", "nlopt-ags", "count",
+              "AGS (NLopt), on the count"},
+        First{"profile-count", "speed profile of least count, 2 to 8 variables", "pagmo-xnes",
+              "count", "xNES (pagmo), on the count"},
+        First{"profile-wear", "speed profile of least wear, 2 to 8 variables", "nlopt-bobyqa",
+              "original", "BOBYQA (NLopt)"},
+        First{"design-count", "design, 5 variables", "mads", "penalised-count",
+              "MADS, on the penalised count"},
+        First{"hs", "Hock and Schittkowski's, 2 to 15 variables", "ipopt", "original", "Ipopt"},
+        First{"least-squares", "least squares, 2 to 12 variables", "tao-pounders", "original",
+              "POUNDERS (TAO)"}}) {
+    const Row leader = comparison.row("leaders", first.family);
+    EXPECT_EQ(leader.text("solver"), first.solver);
+    EXPECT_EQ(leader.text("formulation"), first.formulation);
+    EXPECT_EQ(leader.number("budget"), 100);
+    const Row runs = runs_of(comparison, first.family, first.solver, first.formulation);
+    readme.states(fmt::format("| {} | {} | {} [{}] | {:.2f} | {:.0f} problems |", first.asked,
+                              first.named, share(runs), ends(runs, ", "), leader.number("best"),
+                              leader.number("takes")));
+  }
+  readme.states("with 100 evaluations a variable; intervals are of 95 %, over problems");
+  readme.states("near 1, other problems");
+  EXPECT_EQ(readme.numbers_left(), "");
+  Document first_lines = part_of("README.md", "# ricochet", "## What we found");
+  first_lines.states(fmt::format("to benchmark {:.0f} solvers", comparison.value("solvers")));
+  first_lines.states("432 in all");  // see the test of the catalogue
+  first_lines.states("(2024)");
+  EXPECT_EQ(first_lines.numbers_left(), "");
+}
+
+TEST(StatedResults, OfTheFireworksAlgorithmAreThoseOfTheComparison) {
+  const Committed comparison("comparison");
+  Document paper =
+      part_of("docs/paper.md", "The paper optimises with the fireworks", "LoTFWA's authors");
+  paper.states(fireworks_and_random_search(
+      comparison, "{} of the runs (95 % interval {} %) against {} ({} %)"));
+  const Row strategy = on_all(comparison, "pagmo-cmaes");
+  const Row simplex = on_all(comparison, "nlopt-nelder-mead");
+  paper.states(
+      fmt::format("on {:.0f} problems, each in its best formulation, with 100 evaluations "
+                  "a variable up to 15 variables and 20 beyond",
+                  strategy.number("problems")));
+  paper.states(fmt::format("(`pagmo-cmaes`) solves {} ({} %), Nelder and Mead's method {} ({} %)",
+                           share(strategy), ends(strategy, " to "), share(simplex),
+                           ends(simplex, " to ")));
+  const Row fireworks = runs_of(comparison, "top-speed", "fireworks", "penalised-count");
+  paper.states(fmt::format(
+      "it solves {} of its runs, random search {}, and bisection all, on {:.0f} problems",
+      share(fireworks), share(runs_of(comparison, "top-speed", "random-search", "count")),
+      fireworks.number("problems")));
+  const Committed family("fireworks");
+  const std::string finding = family.text("finding");
+  EXPECT_TRUE(finding.find("gives 7 of the 9 means published") != std::string::npos) << finding;
+  EXPECT_TRUE(finding.find("Of 24 means of its successors, 22 agree") != std::string::npos)
+      << finding;
+  paper.states("of 24 means of four successors, 22 agree");
+  paper.states(
+      fmt::format("at {:.0f} or further from it, it ends more than {:.0f} times as far away",
+                  family.value("far"), family.value("much")));
+  paper.states("(Tan and Zhu, 2010)");
+  paper.states("equation (24)");
+  EXPECT_EQ(paper.numbers_left(), "");
+
+  Document fitted = part_of("docs/paper.md", "Every other command uses one", "## How close can");
+  const Committed calibration("calibration");
+  const std::string chosen = calibration.text("interpretation");
+  const Row searches = calibration.row("searches", chosen);
+  EXPECT_EQ(searches.number("as_good"), 6);
+  fitted.states("all six searches end within 1 % of each other");
+  EXPECT_EQ(calibration.value("determined"), 4);
+  const Committed cases("reproduction");
+  for (const auto& [key, named, unit, scale] :
+       {std::tuple{"centrifugal_mass_radius", "centrifugal mass radius", "kg m", 1.0},
+        std::tuple{"clearance", "clearance", "mm", 1e3},
+        std::tuple{"start_velocity", "start velocity", "m/s", 1.0},
+        std::tuple{"revolutions", "window", "revolutions", 1.0},
+        std::tuple{"counting_limit", "counting limit", "mm/s", 1e3}})
+    fitted.states(fmt::format("| {} | {:.4g} {} | fitted |", named,
+                              scale * cases.row("parameters", key).number("value"), unit));
+  fitted.states(fmt::format("{:.4g} N, {:.4g} N, the middle of the clearance, 0 rad",
+                            cases.row("parameters", "pull").number("value"),
+                            cases.row("parameters", "normal_force").number("value")));
+  EXPECT_EQ(fitted.numbers_left(), "");
+}
+
+TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
+  const Committed comparison("comparison");
+  int problems = 0, kinds = 0, variants = 0, kinds_of_variants = 0, many = 0;
+  each_row(comparison.table("leaders"), [&](const Row& row) {
+    const std::string family = row.text("family");
+    const auto number = static_cast<int>(row.number("problems"));
+    ++kinds;
+    problems += number;
+    if (family.ends_with("-machines") || family.ends_with("-fidelity")) {
+      ++kinds_of_variants;
+      variants += number;
+    }
+    many += family.ends_with("-many");
+  });
+  EXPECT_EQ(problems, comparison.value("problems"));
+  const auto hs = static_cast<int>(comparison.row("leaders", "hs").number("problems"));
+  const auto joined = static_cast<int>(on_all(comparison, "random-search").number("problems"));
+  EXPECT_EQ(joined, problems - variants - hs);
+  Document method = part_of("docs/benchmark-method.md", "**Which number of problems", "```console");
+  method.states(fmt::format("takes the {} of up to 100 variables", problems - variants));
+  method.states(fmt::format("has {} variants of machines and of the model beside them: {} problems",
+                            variants, problems));
+  method.states(
+      fmt::format("ranks {} kinds: the {} families, those with more than 15 variables "
+                  "apart where a family has such ({}, named `-many`), and {} of the "
+                  "variants",
+                  kinds, kinds - many - kinds_of_variants, many, kinds_of_variants));
+  method.states(
+      fmt::format("are {} kinds with {} problems: all of the plan `reference` but the {} "
+                  "of `hs`",
+                  kinds - kinds_of_variants - 1, joined, hs));
+  method.states("`list problems` has all 432");  // see the test of the catalogue
+  EXPECT_EQ(method.numbers_left(), "");
+  double least = 1;
+  each_row(comparison.table("held-out"), [&](const Row& row) {
+    const Row leader = comparison.row("leaders", row.text("family"));
+    if (leader.number_if("best").value_or(0) >= 0.9)
+      least = std::min(least, row.number("first_stays"));
+  });
+  Document(committed_text("docs/benchmark-method.md"))
+      .states(fmt::format("in {:.0f} % of the draws or more where P(best) is 0.9 or more",
+                          100 * least));
+  // Nothing is unsolved in one table and solved in another.
+  double unsolved = 0;
+  each_row(comparison.table("leaders"),
+           [&](const Row& row) { unsolved += row.number_if("unsolved").value_or(0); });
+  EXPECT_EQ(static_cast<double>(comparison.table("unsolved").rows.size()), unsolved);
+}
+
+/// What the other documents say, taken out of them.
+void state_results(const std::string& file, Document& document) {
+  if (file == "docs/benchmark-method.md") {
+    const Committed surrogate("surrogate");
+    double least = 1;
+    each_row(comparison.table("held-out"), [&](const Row& row) {
+      const Row leader = comparison.row("leaders", row.text("family"));
+      if (leader.number_if("best").value_or(0) >= 0.9)
+        least = std::min(least, row.number("first_stays"));
+    });
+    document.states(
+        fmt::format("in {:.0f} % of the draws or more where P(best) is 0.9 or more", 100 * least));
+    const auto off = [&](double smoothing) {
+      std::vector<double> errors;
+      int loud = 0;
+      each_row(surrogate.table("bias"), [&](const Row& row) {
+        if (row.number("smoothing") != smoothing) return;
+        errors.push_back(std::abs(row.number("speed_optimality_gap")));
+        loud += !row.is("quiet");
+      });
+      std::ranges::sort(errors);
+      const double median = (errors[errors.size() / 2] + errors[(errors.size() - 1) / 2]) / 2;
+      return std::tuple{median, errors.back(), loud, errors.size()};
+    };
+    const auto [wide, worst, loud, all] = off(0.25);
+    document.states(
+        fmt::format("At 0.25, the fastest speed that the surrogate calls quiet is wrong "
+                    "by {:.2f} rad/s in the median of {} cases, by {:.2f} rad/s at "
+                    "worst, and truly loud in {} of {} cases",
+                    wide, all, worst, loud, all));
+    const auto [narrow, worst_narrow, loud_narrow, same] = off(0.001);
+    document.states(fmt::format("at 0.001 by {:.2f} and {:.2f} rad/s, but still truly loud in {}",
+                                narrow, worst_narrow, loud_narrow));
+  }
+  if (file == "docs/threshold-and-regimes.md") {
+    const Row all = Committed("verification").row("scenes", "all");
+    EXPECT_EQ(all.number("wrong_certain"), 0);
+    document.states(fmt::format(
+        "of {} random and hostile scenes, {:.0f} % of the counts are certain and none of these is "
+        "wrong; of the uncertain ones, {} are",
+        "60,000", 100 * all.number("certain"), "2,548"));
+    EXPECT_EQ(all.number("number"), 60'000);
+    EXPECT_EQ(all.number("wrong_uncertain"), 2'548);
+    const std::string dynamics = committed_text("reports/reference/dynamics/summary.md");
+    EXPECT_NE(dynamics.find("really returns 0.516"), std::string::npos);
+    document.states("a \"restitution of 0.1\" really returns 0.516");
+    document.states(
+        fmt::format("a window of {:.2f} turns",
+                    Committed("reproduction").row("parameters", "revolutions").number("value")));
+  }
+  if (file == "docs/machine-files.md") {
+    const std::string machine = committed_text("reports/reference/machine/summary.md");
+    EXPECT_NE(machine.find("pull of 1.5 times that along the track"), std::string::npos);
+    document.states("a lateral pull of 1.5 times the pull along x");
+  }
+  if (file == "docs/tutorial.md") document.states(error_of_the_fit());
+}
+
+/// A document without what is not of the reference: from a block with a date and a version on, the
+/// section under its heading.
+std::string undated(const std::string& markdown) {
+  static const std::regex code("```[^]*?```"), date("20[0-9]{2}-[0-9]{2}-[0-9]{2}[^)]*version");
+  std::istringstream lines(std::regex_replace(markdown, code, ""));
+  std::string all, block;
+  bool dated = false;
+  const auto end_block = [&] {
+    dated = dated || std::regex_search(block, date);
+    if (!dated) all += block + "\n";
+    block.clear();
+  };
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with('#')) end_block();
+    if (line.starts_with('#')) dated = false;
+    block += line + "\n";
+  }
+  end_block();
+  return all;
+}
+
+/// What looks like a result, but is set, defined or an example.
+const std::vector<std::string>& definitions(const std::string& file) {
+  static const std::map<std::string, std::vector<std::string>> all = { @ @DEFS @ @ };
+  static const std::vector<std::string> none;
+  const auto found = all.find(file);
+  return found == all.end() ? none : found->second;
+}
+
+/// Parts of which other tests take every number.
+std::string without_tested_parts(const std::string& file, std::string text) {
+  static const std::vector<std::array<const char*, 3>> parts = {
+      {"README.md", "# ricochet", "## Two commands"},
+      {"docs/benchmark-method.md", "**Which number of problems", "```console"},
+      {"docs/paper.md", "## Are the thresholds real?", "## Which border of"},
+      {"docs/paper.md", "### The borders of the machine", "## Which interpretation of"},
+      {"docs/paper.md", "Every other command uses one", "LoTFWA's authors"},
+      {"docs/threshold-and-regimes.md", "## Why is there a threshold?",
+       "## When is a count certain?"},
+      {"docs/threshold-and-regimes.md", "That is the machine of the paper's cases C1 and C2",
+       "The regimes are solved at"}};
+  for (const auto& [of, from, to] : parts) {
+    if (of != file) continue;
+    const std::size_t start = text.find(from), end = text.find(to, start);
+    if (start == std::string::npos || end == std::string::npos) throw std::logic_error(from);
+    text.erase(start, end - start);
+  }
+  return text;
+}
+
+TEST(StatedResults, OfEveryDocumentAreOfTheReferenceOrDated) {
+  std::vector<std::string> files = {"README.md"};
+  for (const auto& entry : fs::directory_iterator(fs::path(RICOCHET_SOURCE) / "docs")) {
+    if (entry.path().extension() == ".md")
+      files.push_back("docs/" + entry.path().filename().string());
+  }
+  EXPECT_GT(files.size(), 15U);
+  for (const std::string& file : files) {
+    Document document(undated(without_tested_parts(file, committed_text(file))));
+    state_results(file, document);
+    for (const std::string& definition : definitions(file)) document.states(definition);
+    EXPECT_EQ(document.figures_left(), "") << file;
+  }
+}
+
+TEST(StatedResults, ThatAreNeitherOfTheReferenceNorDatedAreFound) {
+  const auto left = [](const char* text) { return Document(undated(text)).figures_left(); };
+  EXPECT_EQ(left("# A\n\nIt is 95 % sure, `7 %`, [3.5](4.5.md), 1e-6, NLopt 2.7.1, C1, 12.\n"), "");
+  EXPECT_EQ(left("# A\n\nIt solves 7 %\nof 3 of 4, by 1.5.\n"), "7 % 3 of 4 1.5 ");
+  EXPECT_EQ(left("# A\n\nOf 7 % (2026-11-25, version 0.2.0).\n\n| 8.5 |\n\n# B\n\n9.5\n"), "9.5 ");
+}
+
+}  // namespace
+}  // namespace ricochet::site

@@ -47,12 +47,6 @@ std::vector<const CellResult*> disturbed(const std::vector<CellResult>& all) {
   return results;
 }
 
-Value sum_of(const std::vector<Value>& values) {
-  double sum = 0;
-  for (const Value& value : values) sum += *number_in(value);
-  return static_cast<std::int64_t>(sum);
-}
-
 /// The runs of each solver on a family under each perturbation: family, solver, formulation,
 /// perturbation, solved, runs, share. The formulation is that in which it does best over all
 /// perturbations together. The unperturbed runs alone would be biased: a formulation that was lucky

@@ -266,13 +266,14 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
                                         "others none significantly.",
                                         fmt::join(harmed, "; ")));
   Table rates = rates_of(tallies, names);
+  Table outcomes = outcome_table(results, names);
   double runs = 0;
-  each_row(tallies, [&](const Row& row) { runs += row.number("runs"); });
+  each_row(outcomes, [&](const Row& row) { runs += row.number("runs"); });
   page.set("perturbed-runs", static_cast<std::int64_t>(runs));
   page.add(perturbation_map(rates, names));
   page.add(std::move(rates));
   page.add(std::move(summaries));
-  page.add(outcome_table(results, names));
+  page.add(std::move(outcomes));
   return true;
 }
 

@@ -224,7 +224,7 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
                   constrained.constraints > 0 ? value_of(constrained.penalty_weight) : Value());
       results.add(variable_table(first));
       results.add(taken_formulations(constrained));
-      results.add(problem_table(rated, group, hashes));
+      results.add(sorted(problem_table(rated, group, hashes), {"solving"}));
       if (first.dimension() == 1) results.add(objective_chart(first));
       add_budgets(rated, g, results);
       results.add(solved_map(rated, g));

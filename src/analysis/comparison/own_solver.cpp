@@ -61,35 +61,22 @@ std::vector<Rival> rivals_of(const Campaign& campaign, const EntrySet& set, cons
   return rivals;
 }
 
-struct Total {
-  int solved = 0, problems = 0, better = 0, worse = 0, rivals = 0;
-};
-
-/// Adds the row of an entry, and its sums to the total.
-void add_row(Table& table, Total& total, const Campaign& campaign, const EntrySet& set,
-             const Entry& own) {
+void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const Entry& own) {
   std::vector<double> shares;
-  for (const auto& [problem, share] : shares_of(campaign, own)) {
-    shares.push_back(share);
-    ++total.problems;
-    total.solved += share >= most_runs ? 1 : 0;
-  }
+  for (const auto& [problem, share] : shares_of(campaign, own)) shares.push_back(share);
+  const auto solved =
+      std::ranges::count_if(shares, [](double share) { return share >= most_runs; });
   const MeanShare mean = mean_share(shares);
-  int better = 0, worse = 0, clearly_better = 0, clearly_worse = 0;
   const std::vector<Rival> rivals = rivals_of(campaign, set, own);
-  for (const Rival& rival : rivals) {
-    const bool clear = rival.p < significant_rival;
-    better += rival.difference > 0 ? 1 : 0;
-    worse += rival.difference < 0 ? 1 : 0;
-    clearly_better += clear && rival.difference > 0 ? 1 : 0;
-    clearly_worse += clear && rival.difference < 0 ? 1 : 0;
-  }
-  total.better += better;
-  total.worse += worse;
-  total.rivals += static_cast<int>(rivals.size());
+  const auto count = [&](double sign, double significance) {
+    return std::ranges::count_if(rivals, [&](const Rival& rival) {
+      return sign * rival.difference > 0 && rival.p < significance;
+    });
+  };
   table.add(own.solver, set.family, set.budget, own.formulation, own.results.size(),
-            set.problems.size(), mean.mean, mean.interval.lower, mean.interval.upper, better,
-            clearly_better, worse, clearly_worse, rivals.size());
+            set.problems.size(), solved, mean.mean, mean.interval.lower, mean.interval.upper,
+            count(1, 2), count(1, significant_rival), count(-1, 2), count(-1, significant_rival),
+            rivals.size());
 }
 
 }  // namespace
@@ -103,6 +90,7 @@ void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets
                {"formulation"},
                {"takes"},
                {"problems"},
+               {"solved"},
                {"share", "success rate [%]", ".0%", 3},
                {"lower", "", ".0%", 3},
                {"upper", "", ".0%", 3},
@@ -111,21 +99,22 @@ void add_own_solvers(const Campaign& campaign, const std::vector<EntrySet>& sets
                {"worse"},
                {"clearly_worse"},
                {"rivals"}}};
-  std::map<std::string, Total> totals;
   for (const EntrySet& set : sets) {
     if (!set.largest) continue;
     each_entry(set, [&](const Entry& entry) {
       const bool own = std::ranges::find(suite, entry.solver, &Solver::name) == suite.end();
-      if (own) add_row(table, totals[entry.solver], campaign, set, entry);
+      if (own) add_row(table, campaign, set, entry);
     });
   }
-  Table sums{"own-totals",
-             {{"solver"}, {"solved"}, {"problems"}, {"better"}, {"worse"}, {"rivals"}}};
-  for (const auto& [solver, total] : totals) {
-    sums.add(solver, total.solved, total.problems, total.better, total.worse, total.rivals);
-  }
+  Table totals = aggregated(table, {"solver"},
+                            {{{"solved"}, "solved", sum_of},
+                             {{"problems"}, "takes", sum_of},
+                             {{"better"}, "better", sum_of},
+                             {{"worse"}, "worse", sum_of},
+                             {{"rivals"}, "rivals", sum_of}});
+  totals.name = "own-totals";
   page.add(std::move(table));
-  page.add(std::move(sums));
+  page.add(std::move(totals));
 }
 
 namespace {

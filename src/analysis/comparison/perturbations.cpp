@@ -47,12 +47,6 @@ std::vector<const CellResult*> disturbed(const std::vector<CellResult>& all) {
   return results;
 }
 
-Value sum_of(const std::vector<Value>& values) {
-  double sum = 0;
-  for (const Value& value : values) sum += *number_in(value);
-  return static_cast<std::int64_t>(sum);
-}
-
 /// The runs of each solver on a family under each perturbation: family, solver, formulation,
 /// perturbation, solved, runs, share. The formulation is that in which it does best over all
 /// perturbations together. The unperturbed runs alone would be biased: a formulation that was lucky
@@ -272,13 +266,14 @@ bool add_perturbations(const Campaign& campaign, const std::vector<CellResult>& 
                                         "others none significantly.",
                                         fmt::join(harmed, "; ")));
   Table rates = rates_of(tallies, names);
+  Table outcomes = outcome_table(results, names);
   double runs = 0;
-  each_row(tallies, [&](const Row& row) { runs += row.number("runs"); });
+  each_row(outcomes, [&](const Row& row) { runs += row.number("runs"); });
   page.set("perturbed-runs", static_cast<std::int64_t>(runs));
   page.add(perturbation_map(rates, names));
   page.add(std::move(rates));
   page.add(std::move(summaries));
-  page.add(outcome_table(results, names));
+  page.add(std::move(outcomes));
   return true;
 }
 

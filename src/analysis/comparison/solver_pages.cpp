@@ -20,8 +20,8 @@ namespace ricochet::studies::comparison {
 
 namespace {
 
-constexpr std::size_t shown_failures = 3;  // families
-constexpr std::size_t shown_reasons = 3;
+constexpr std::size_t shown_failures = 2;  // families
+constexpr std::size_t shown_reasons = 2;
 
 std::optional<std::string> text_if_any(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
@@ -127,7 +127,7 @@ std::optional<std::string> joint_sentence(const std::string& solver, const Table
   });
   if (!row) return {};
   const auto ahead = ahead_of(*row, speed_accuracy);
-  return fmt::format("On the {} problems that most solvers take it solves {:.0f} %{}{}.",
+  return fmt::format("Of the {} problems that most solvers take it solves {:.0f} %{}{}.",
                      row->number("problems"), 100 * row->number("share"),
                      row->is("on_front") ? ", and is on the Pareto front" : "",
                      ahead ? fmt::format("; {} is cheaper and solves {:.0f} %",
@@ -135,8 +135,8 @@ std::optional<std::string> joint_sentence(const std::string& solver, const Table
                            : "");
 }
 
-/// The problem of each family on which another solver solved most more than this one, at most
-/// three families, the worst first; nothing if none did.
+/// The problem of each family on which another solver solved most more than this one, at most two
+/// families, the worst first; nothing if none did.
 std::optional<std::string> failure_sentence(const Table& attempts) {
   const Table gaps = sorted(
       with(attempts, {"gap"},
@@ -181,7 +181,7 @@ std::string ends_of(const Table& terminations) {
   std::vector<std::string> ends;
   each_row(terminations, [&](const Row& row) {
     if (ends.size() < shown_reasons)
-      ends.push_back(fmt::format("{} {:.3g} %", row.text("reason"), 100 * row.number("share")));
+      ends.push_back(fmt::format("{} {:.0f} %", row.text("reason"), 100 * row.number("share")));
   });
   return fmt::format("{}", fmt::join(ends, "; "));
 }
@@ -253,15 +253,14 @@ report::Results solvers_page(const Campaign& campaign, const std::vector<CellRes
     part.results.set("version", solver->version + tuned_mark(name));
     part.results.set("note", text_if_any(library_note(solver->version)));
     part.results.set("settings", settings_sentence(name));
-    part.results.set("joint", joint_sentence(name, speed_accuracy));
-    part.results.set("failed", failure_sentence(own));
-    part.results.set("firsts", text_if_any(firsts));
     part.results.set("ends", text_if_any(ends_of(where(terminations, "solver", name))));
-    part.results.set(
-        "summary",
-        fmt::format("It solved {} of the {} problems that it takes, each in at least one run.{}",
-                    solved, own.rows.size(),
-                    firsts.empty() ? "" : fmt::format(" It is first by mean rank on {}.", firsts)));
+    std::string summary =
+        fmt::format("It solved {} of the {} problems that it takes, each in at least one run.",
+                    solved, own.rows.size());
+    if (!firsts.empty()) summary += fmt::format(" It is first by mean rank on {}.", firsts);
+    for (const auto& more : {joint_sentence(name, speed_accuracy), failure_sentence(own)})
+      if (more) summary += " " + *more;
+    part.results.set("summary", summary);
     part.results.add(std::move(families));
     page.add("solvers", std::move(part));
   }

@@ -59,11 +59,6 @@ Table solver_map(const Table& speed_accuracy, const Table& leaders) {
     return row.is("largest") &&
            families.find([&](const Row& family) { return family["family"] == row["family"]; });
   });
-  const auto sum_of = [](const std::vector<Value>& values) {
-    double sum = 0;
-    for (const Value& value : values) sum += number_in(value).value_or(0);
-    return value_of(sum);
-  };
   Table table = only(sorted(aggregated(sorted(largest, {"solver"}), {"solver"},
                                        {{{"taken"}, "", count_of}, {{"sum"}, "share", sum_of}}),
                             {"-taken", "-sum"}),

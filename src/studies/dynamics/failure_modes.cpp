@@ -325,7 +325,7 @@ void add_to(report::Results& results, const FailureModeStudy& study) {
                {"excess_from", "breaks loose from an excess of", ".0e"}}};
   for (const double loss : study.losses) {
     table.columns.push_back({fmt::format("energy_{:.0e}", loss),
-                             fmt::format("energy, restitution 1 - {:.0e} [%]", loss), "+.2g%"});
+                             fmt::format("energy, restitution 1 - {:.0e} [%]", loss), "+.2%"});
   }
   table.columns.push_back({"rate", "impacts in chaos [%]", "+.1%"});
   table.columns.push_back({"failed", "modes failed"});

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "src/core/time_limit.h"
 

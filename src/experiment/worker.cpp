@@ -277,15 +277,6 @@ void run_all(const std::vector<Job>& jobs, const Limits& limits,
   }
 }
 
-std::vector<RunRecord> run_all(const std::vector<Job>& jobs, Progress& progress) {
-  std::vector<RunRecord> records(jobs.size());
-  run_all(jobs, Limits{}, [&](std::size_t job, RunRecord record) {
-    records[job] = std::move(record);
-    progress.advance(1);
-  });
-  return records;
-}
-
 namespace {
 
 using Json = nlohmann::json;

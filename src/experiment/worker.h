@@ -10,7 +10,6 @@
 
 #include "ricochet/run.h"
 #include "src/core/child_process.h"
-#include "src/core/progress.h"
 #include "src/experiment/perturbations.h"
 
 namespace ricochet {
@@ -105,9 +104,6 @@ int open_files_of_runs(std::size_t processes);
 
 /// Number of processes that run_all has at a time, if there are enough jobs.
 std::size_t processes_of_runs();
-
-/// The records in the order of the jobs.
-std::vector<RunRecord> run_all(const std::vector<Job>& jobs, Progress& progress);
 
 /// The messages of one process to another about a run: bytes that keep every bit of every number,
 /// including NaN and infinity.

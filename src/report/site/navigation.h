@@ -26,7 +26,7 @@ std::vector<Place> places_of(const std::vector<FoundReport>& reports,
                              const std::vector<Place>& own_pages);
 
 /// Returns the links to all places, as HTML for a page in the folder `here` of the site: "" is the
-/// front page, "problems/count" a page of a report, "comparison/solvers/mads" one in such a page.
+/// front page, "comparison/count" a page of a report, "comparison/solvers/mads" one in such a page.
 /// A word of the navigation leads to the first place of its group.
 std::string navigation(const std::vector<Place>& places, const std::string& here);
 

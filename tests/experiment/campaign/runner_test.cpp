@@ -57,8 +57,9 @@ struct Jobs {
 
 std::vector<RunRecord> run_on(const std::vector<Job>& jobs, std::size_t at_once) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, at_once);
-  Progress progress("running", static_cast<double>(jobs.size()));
-  return run_all(jobs, progress);
+  std::vector<RunRecord> records(jobs.size());
+  run_all(jobs, {}, [&](std::size_t job, RunRecord record) { records[job] = std::move(record); });
+  return records;
 }
 
 /// Ends this process with 7 and the reason if runs are refused.

@@ -95,9 +95,9 @@ void print_changes(const EntryChanges& changes) {
   const auto same = std::erase_if(changed, [](const EntryChange& one) { return one.same(); });
   if (!changed.empty()) {
     print(only(change_table(changed),
-                    {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
-                     "dearer", "problems", "p", "sure", "version", "other_version"}),
-               false);
+               {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
+                "dearer", "problems", "p", "sure", "version", "other_version"}),
+          false);
   }
   if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
   if (changes.entries.empty()) {

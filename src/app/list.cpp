@@ -34,13 +34,8 @@ struct ListOptions {
 };
 
 Table cases() {
-  Table table{"cases",
-              {{"case"},
-               {"restitution"},
-               {"friction"},
-               {"disturbance"},
-               {"paper_threshold"},
-               {"paper_quiet_count"}}};
+  Table table{"cases", columns_named("case,restitution,friction,disturbance,paper_threshold,"
+                                     "paper_quiet_count")};
   for (const Case& c : all_cases()) {
     table.add(c.id, c.restitution, c.friction, c.disturbance, c.claim.threshold,
               c.claim.quiet_count);
@@ -118,13 +113,7 @@ int list_problems(const ListOptions& options) {
 
 Table solvers() {
   Table table{"solvers",
-              {{"solver"},
-               {"variables"},
-               {"constraints"},
-               {"needs"},
-               {"stochastic"},
-               {"at_limit"},
-               {"version"}}};
+              columns_named("solver,variables,constraints,needs,stochastic,at_limit,version")};
   const auto add = [&table](const std::string& name, const Capabilities& can,
                             const std::optional<bool>& stochastic,
                             const std::optional<std::string>& at_limit,

@@ -117,7 +117,7 @@ void print_json(const Recording& recording) {
 }
 
 Table path_table(const Recording& recording) {
-  Table table{"path", {{"time_s"}, {"position_m"}, {"velocity_m_per_s"}}};
+  Table table{"path", columns_named("time_s,position_m,velocity_m_per_s")};
   for (const Sample& s : recording.path) table.add(s.time, s.position, s.velocity);
   return table;
 }

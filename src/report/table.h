@@ -57,9 +57,10 @@ Value value_of(const Maybe& maybe, const Get& get) {
 }
 
 /// A value as text: numbers by fmt's format, such as ".2f"; with a last %, as per cent without the
-/// sign, ".0%" makes 12 of 0.123; with a last m, in thousandths, as mm of a length in m. Without a format numbers have up to four digits. Zero has no
-/// sign; true is "yes", or "✓" by the format "mark" (false: "✗"); a missing value is "". Throws
-/// std::logic_error for a format that does not fit.
+/// sign, ".0%" makes 12 of 0.123; with a last m, in thousandths, as mm of a length in m. Without a
+/// format numbers have up to four digits. Zero has no sign; true is "yes", or "✓" by the format
+/// "mark" (false: "✗"); a missing value is "". Throws std::logic_error for a format that does not
+/// fit.
 std::string text_of(const Value& value, std::string_view format = "");
 
 struct Column {
@@ -68,6 +69,9 @@ struct Column {
   std::string format = {};  ///< see text_of()
   int digits = 6;           ///< significant digits that data.json keeps
 };
+
+/// Columns that have nothing but names, which are given with commas between.
+std::vector<Column> columns_named(std::string_view names);
 
 struct Table;
 
@@ -198,6 +202,9 @@ report::Json json_rows_of(const Table& table);
 /// As a LaTeX tabular with the columns' titles and formats; needs textcomp and T1 fonts. Its head
 /// and its rows alone are lines for any table.
 std::string latex_of(const Table& table, Lines lines = Lines::all);
+
+/// The text as one line, in which nothing is a command of LaTeX.
+std::string escape_latex(std::string_view text);
 
 /// As a GitHub table with the columns' titles and formats, texts to the left, at most `most` rows.
 std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX, Lines lines = Lines::all);

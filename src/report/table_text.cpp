@@ -30,30 +30,6 @@ std::string csv_cell(const Value& value) {
   return csv_field(label(one_line(text_of(value))));
 }
 
-/// The text as one line, in which nothing is a command of LaTeX.
-std::string escape_latex(std::string_view text) {
-  // After the end of a row LaTeX would read [ and * as part of it.
-  static const std::map<char, std::string> escapes = {{'\\', "\\textbackslash{}"},
-                                                      {'~', "\\textasciitilde{}"},
-                                                      {'^', "\\textasciicircum{}"},
-                                                      {'<', "\\textless{}"},
-                                                      {'>', "\\textgreater{}"},
-                                                      {'|', "\\textbar{}"},
-                                                      {'"', "\\textquotedbl{}"},
-                                                      {'\'', "\\textquotesingle{}"},
-                                                      {'`', "\\textasciigrave{}"},
-                                                      {'[', "{[}"},
-                                                      {'*', "{*}"}};
-  std::string tex;
-  for (const char c : one_line(text)) {
-    const auto found = escapes.find(c);
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) tex += '\\';
-    if (c == '-' && tex.ends_with('-')) tex += "{}";  // two of them would be one dash
-    tex += found == escapes.end() ? std::string(1, c) : found->second;
-  }
-  return tex;
-}
-
 /// A table as lines.
 struct Written {
   std::string head, rows;
@@ -97,6 +73,29 @@ Written written(const Table& table, const Marks& marks, const Escape& escaped, s
 }
 
 }  // namespace
+
+std::string escape_latex(std::string_view text) {
+  // After the end of a row LaTeX would read [ and * as part of it.
+  static const std::map<char, std::string> escapes = {{'\\', "\\textbackslash{}"},
+                                                      {'~', "\\textasciitilde{}"},
+                                                      {'^', "\\textasciicircum{}"},
+                                                      {'<', "\\textless{}"},
+                                                      {'>', "\\textgreater{}"},
+                                                      {'|', "\\textbar{}"},
+                                                      {'"', "\\textquotedbl{}"},
+                                                      {'\'', "\\textquotesingle{}"},
+                                                      {'`', "\\textasciigrave{}"},
+                                                      {'[', "{[}"},
+                                                      {'*', "{*}"}};
+  std::string tex;
+  for (const char c : one_line(text)) {
+    const auto found = escapes.find(c);
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) tex += '\\';
+    if (c == '-' && tex.ends_with('-')) tex += "{}";  // two of them would be one dash
+    tex += found == escapes.end() ? std::string(1, c) : found->second;
+  }
+  return tex;
+}
 
 std::string csv_of(const Table& table, Lines lines) {
   return written(

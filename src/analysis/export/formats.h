@@ -2,13 +2,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "src/analysis/rating.h"
-#include "src/core/names.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/store.h"
 #include "src/report/json.h"
@@ -38,14 +35,6 @@ std::vector<Format> all_formats();
 void write_csv(const Store& store, const Completeness& completeness,
                const std::filesystem::path& folder);
 
-/// A line with these fields, see csv_field(). It ends with a newline and without a carriage return,
-/// as in all exports here.
-std::string csv_row(const std::vector<std::string>& fields);
-
-/// The shortest decimal text that reads back to the number; also "inf", "-inf" and "nan".
-std::string number(double value);
-std::string number(const std::optional<double>& value);  ///< empty if there is none
-
 /// The numbers of planned, present and missing runs, of all and by part, and of what runs are
 /// missing.
 report::Json json_of(const Completeness& completeness);
@@ -55,10 +44,5 @@ report::Json json_of(const Completeness& completeness);
 /// cannot write are null.
 void write_json(const Store& store, const Completeness& completeness,
                 const std::filesystem::path& folder);
-
-/// Any text as a label of one line; see label() and one_line().
-inline std::string label_of(std::string_view text) {
-  return label(one_line(text));
-}
 
 }  // namespace ricochet::exports

@@ -13,7 +13,7 @@
 namespace ricochet::exports {
 
 /// Writes table.tex, a longtable with a row for each problem and entry; a comment in it lists the
-/// LaTeX packages it needs. If runs failed, their number is bold.
+/// LaTeX packages it needs.
 void write_latex(const Store& store, const Completeness& completeness,
                  const std::filesystem::path& folder);
 
@@ -23,8 +23,7 @@ void write_latex(const Store& store, const Completeness& completeness,
 void write_latex_summary(const std::vector<comparison::RatedFamily>& families,
                          const std::filesystem::path& folder);
 
-/// Writes table.md, a table with a row for each problem and entry. If runs failed, their number is
-/// bold.
+/// Writes table.md, a table with a row for each problem and entry.
 void write_markdown(const Store& store, const Completeness& completeness,
                     const std::filesystem::path& folder);
 
@@ -43,7 +42,7 @@ class RunningTimes {
   void close() { file_.close(); }
 
  private:
-  OutputFile file_;
+  TableFile file_;
 };
 
 }  // namespace ricochet::exports

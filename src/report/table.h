@@ -209,8 +209,8 @@ std::string escape_latex(std::string_view text);
 /// As a GitHub table with the columns' titles and formats, texts to the left, at most `most` rows.
 std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX, Lines lines = Lines::all);
 
-/// For a terminal: aligned columns, two blanks between them; units, such as [m/s], stand below the
-/// titles. Lines longer than `width` bytes are cut and end in "...".
+/// For a terminal: aligned columns, two blanks between them; titles are broken into lines where the
+/// cells are narrow. Lines longer than `width` bytes are cut and end in "...".
 std::string terminal_text_of(const Table& table, std::size_t width = SIZE_MAX);
 
 }  // namespace ricochet

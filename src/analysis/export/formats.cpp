@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "ricochet/evaluator.h"
-#include "src/analysis/export/ioh_and_coco.h"
 #include "src/analysis/export/output.h"
-#include "src/analysis/export/tables.h"
 #include "src/analysis/outcomes.h"
 #include "src/core/names.h"
 #include "src/experiment/run_rows.h"
@@ -26,28 +24,18 @@ namespace ricochet {
 RICOCHET_FIELDS(Verdict, feasible, objective, optimality_gap, solved, evaluations_to_solve,
                 seconds_to_solve, returned_optimality_gap, returned_solved);
 
+/// As in the store's table of them.
+static const EnumNames<TerminationReason>& names_of(TerminationReason /*reason*/) {
+  static const EnumNames<TerminationReason> names = {
+      {"none", TerminationReason::none},       {"evaluations", TerminationReason::evaluations},
+      {"seconds", TerminationReason::seconds}, {"bad point", TerminationReason::bad_point},
+      {"failure", TerminationReason::failure}, {"paused", TerminationReason::paused}};
+  return names;
+}
+
 }  // namespace ricochet
 
 namespace ricochet::exports {
-
-/// The name of a termination reason, as in the store's table of them.
-constexpr const char* name_of(TerminationReason termination_reason) {
-  switch (termination_reason) {
-    case TerminationReason::none:
-      return "none";
-    case TerminationReason::evaluations:
-      return "evaluations";
-    case TerminationReason::seconds:
-      return "seconds";
-    case TerminationReason::bad_point:
-      return "bad point";
-    case TerminationReason::failure:
-      return "failure";
-    case TerminationReason::paused:
-      return "paused";
-  }
-  return "";
-}
 
 std::vector<Format> all_formats() {
   return {{"csv", "runs.csv, points.csv, running_times.csv, ratings.csv, ecdf.csv and others",
@@ -118,7 +106,7 @@ void each_cell(const comparison::JudgedRun& run, const Use& use) {
   use("evaluations_allowed", cell_of(record.budget.evaluations));
   use("seconds_allowed", cell_of(record.budget.seconds));
   visit_fields(field, record.ledger);
-  use("termination_reason", cell_of(name_of(record.termination_reason)));
+  use("termination_reason", cell_of(record.termination_reason));
   use("failure", cell_of(record.failure));
   use("terminations", cell_of(text_of(record.terminations)));
   std::optional<double> objective, violation;
@@ -294,7 +282,8 @@ Json json_of(const comparison::JudgedRun& run) {
                {"evaluations_allowed", record.budget.evaluations},
                {"seconds_allowed", record.budget.seconds},
                {"ledger", record.ledger},
-               {"termination_reason", name_of(record.termination_reason)},
+               {"termination_reason",
+                name_of(names_of(record.termination_reason), record.termination_reason)},
                {"failure", record.failure},
                {"terminations",
                 report::list_of(repeated(record.terminations),

@@ -1,5 +1,3 @@
-#include "src/analysis/export/ioh_and_coco.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +11,6 @@
 
 #include "src/analysis/export/formats.h"
 #include "src/analysis/export/output.h"
-#include "src/analysis/export/tables.h"
 #include "src/analysis/outcomes.h"
 #include "src/core/names.h"
 #include "src/report/json.h"

@@ -1,5 +1,3 @@
-#include "src/analysis/export/tables.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>

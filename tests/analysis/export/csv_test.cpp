@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "src/analysis/export/formats.h"
+#include "src/report/table.h"
 #include "tests/analysis/export/exported_store.h"
 
 namespace ricochet::exports {
@@ -52,6 +53,13 @@ Rows table_in(const std::string& text) {
 
 double read(const std::string& text) {
   return std::strtod(text.c_str(), nullptr);
+}
+
+TEST(CsvRow, ReadsBackToItsFields) {
+  const std::vector<std::string> fields = {"", "plain", "a,b", "\"", "say \"so\"", " ", ",,\"\",,"};
+  Table table{"fields", columns_named("a,b,c,d,e,f,g")};
+  table.add_row({fields.begin(), fields.end()});
+  EXPECT_THAT(fields_in(csv_of(table, Lines::rows)), ElementsAre(fields));
 }
 
 using Csv = ExportedStore;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "src/analysis/export/tables.h"
+#include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/analysis/export/rated.h"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <deque>
 #include <filesystem>
 #include <numbers>
 
@@ -11,7 +10,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/identification/identified_machine.h"
 #include "src/identification/knock_fit.h"
 #include "src/report/drawing.h"
@@ -147,16 +145,6 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
              report::counted(machine.fit.evaluations, "simulation"));
 }
 
-void refuse_same_files(const IdentifyOptions& options) {
-  const std::string* inputs[] = {&options.scene_file, &options.files.knocks, &options.files.speed,
-                                 &options.files.marks};
-  for (const std::string* input : inputs) {
-    refuse_same_file("--out", options.out, *input, "an input");
-    refuse_same_file("--plot", options.plot, *input, "an input");
-  }
-  refuse_same_file("--plot", options.plot, options.out, "that of --out");
-}
-
 std::string machine_text(const IdentifiedMachine& machine, const std::string& knocks) {
   return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}{}",
                      std::filesystem::path(knocks).filename().string(),
@@ -182,7 +170,9 @@ int identify(const IdentifyOptions& options) {
   if (!(options.fastest >= 0.1 && options.fastest <= 1000)) {
     throw InputError(fmt::format("--fastest {}: must be within 0.1..1000 rad/s", options.fastest));
   }
-  refuse_same_files(options);
+  refuse_same_files(
+      {{"--out", options.out}, {"--plot", options.plot}},
+      {options.scene_file, options.files.knocks, options.files.speed, options.files.marks});
   const Solver solver = solver_named(options.solver, "--solver");
   if (solver.capabilities.derivatives != Capabilities::Order::gradient ||
       solver.capabilities.needs_constraints || solver.capabilities.needs_smoothing) {
@@ -195,12 +185,8 @@ int identify(const IdentifyOptions& options) {
   });
   report::Plot plot;
   if (!options.plot.empty()) plot = report::plot_of(knock_charts(loss, machine.fit.x));
-  std::deque<TextDraft> drafts;
-  if (!options.out.empty()) {
-    drafts.emplace_back(options.out, machine_text(machine, options.files.knocks));
-  }
-  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  for (TextDraft& draft : drafts) draft.commit();
+  write_files(
+      {{options.out, machine_text(machine, options.files.knocks)}, {options.plot, plot.svg}});
   if (options.json) {
     fmt::print("{}\n", json_of(machine, loss, solver.name).dump(2));
   } else {

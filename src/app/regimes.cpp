@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +19,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
@@ -75,7 +73,7 @@ int regimes(const RegimesOptions& options) {
   if (!options.over.empty()) return regime_curves(options);
   if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  refuse_same_files({{"--plot", options.plot}}, {options.scene.scene_file});
   const auto found = limited(
       options.seconds,
       [&]() -> std::vector<carrier_track::Regime> {
@@ -96,7 +94,7 @@ int regimes(const RegimesOptions& options) {
     plot = report::plot_of(
         {staircase_chart(drawn, chosen.name + ": collisions a turn in the long run", {})});
   }
-  if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
+  write_files({{options.plot, plot.svg}});
   if (options.json) {
     print(regime_table(found), true);
   } else {
@@ -223,20 +221,15 @@ report::Plot plot_of(const ChosenScene& chosen, const RegimeMap& map, const Show
 
 int regime_curves(const RegimesOptions& options) {
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
+  refuse_same_files({{"--csv", options.csv}, {"--plot", options.plot}}, {options.scene.scene_file});
   const ConstantRange range = constant_range_of(options.over);
   const RegimeMap map = limited(options.seconds, [&] {
     return regime_map(chosen.scene,
                       {range.constant, range.from, range.to, options.values, options.range});
   });
-  std::deque<TextDraft> drafts;
-  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(point_table(map)));
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, map, range.unit);
-  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  for (TextDraft& draft : drafts) draft.commit();
+  write_files({{options.csv, csv_of(point_table(map))}, {options.plot, plot.svg}});
   if (options.json) {
     report::Json json = {{"machine", chosen.name}};
     json.update(json_of(map));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -244,10 +245,25 @@ bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 }  // namespace
 
-void refuse_same_file(const char* option, const std::string& file, const std::string& other,
-                      const char* what) {
-  if (file.empty() || other.empty() || !are_same(file, other)) return;
-  throw InputError(fmt::format("{} {}: must be another file than {}", option, file, what));
+void refuse_same_files(const std::vector<AskedFile>& asked,
+                       const std::vector<std::string>& inputs) {
+  std::vector<std::pair<std::string, std::string>> taken;  // files, and what they are
+  for (const std::string& input : inputs) taken.emplace_back(input, "the input " + input);
+  for (const auto& [option, file] : asked) {
+    for (const auto& [other, what] : taken) {
+      if (file.empty() || other.empty() || !are_same(file, other)) continue;
+      throw InputError(fmt::format("{} {}: must be another file than {}", option, file, what));
+    }
+    taken.emplace_back(file, fmt::format("that of {}", option));
+  }
+}
+
+void write_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::deque<TextDraft> drafts;
+  for (const auto& [file, text] : files) {
+    if (!file.empty() && !text.empty()) drafts.emplace_back(file, text);
+  }
+  for (TextDraft& draft : drafts) draft.commit();
 }
 
 }  // namespace ricochet::cli

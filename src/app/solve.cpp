@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,13 +16,14 @@
 #include "ricochet/solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
-#include "src/core/files.h"
+#include "src/app/report.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
 #include "src/experiment/perturbations.h"
 #include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
@@ -157,17 +157,18 @@ class StatedPoints {
   Problem seen_;
 };
 
-std::string trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
-  std::string text = "evaluations,seconds,objective,violation";
-  for (Eigen::Index i = 0; i < problem.dimension(); ++i) text += fmt::format(",x{}", i + 1);
-  text += "\n";
-  for (const Improvement& step : record.trace) {
-    text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.true_values.objective,
-                        step.true_values.violation);
-    for (const double x : stated.of(step.x)) text += fmt::format(",{}", x);
-    text += "\n";
+Table trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
+  Table table{"trace", columns_named("evaluations,seconds,objective,violation")};
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
+    table.columns.push_back({fmt::format("x{}", i + 1)});
   }
-  return text;
+  for (const Improvement& step : record.trace) {
+    std::vector<Value> row = {step.evaluations, step.seconds, step.true_values.objective,
+                              step.true_values.violation};
+    for (const double x : stated.of(step.x)) row.emplace_back(x);
+    table.add_row(std::move(row));
+  }
+  return table;
 }
 
 report::Plot plot_of(const RunRecord& record, const Problem& problem, const std::string& title) {
@@ -308,14 +309,10 @@ int solve(const SolveOptions& options) {
   if (Progress::redraws()) std::fputs("\r\033[K", stderr);
   const StatedPoints stated(options, asked.formulated(formulation), formulation_name);
   const Verdict verdict = judge(record, problem, asked.tolerance);
-  std::deque<TextDraft> drafts;
-  if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem, stated));
   report::Plot plot;
-  if (!options.plot.empty()) {
-    plot = plot_of(record, problem, solver.name + " on " + asked.name);
-    if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  }
-  for (TextDraft& draft : drafts) draft.commit();
+  if (!options.plot.empty()) plot = plot_of(record, problem, solver.name + " on " + asked.name);
+  write_files(
+      {{options.trace, csv_of(trace_of(record, problem, stated))}, {options.plot, plot.svg}});
   if (options.json) {
     fmt::print(
         "{}\n",

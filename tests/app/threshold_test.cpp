@@ -221,7 +221,7 @@ TEST(Threshold, NeverDrawsOverItsInput) {
   std::filesystem::create_symlink(scene, folder / "link");
   for (const char* name : {"machine.toml", "link"}) {
     expect_refusal("threshold --scene " + scene.string() + " --plot " + (folder / name).string(),
-                   "the scene");
+                   "the input");
   }
   EXPECT_EQ(read(scene), text);
   expect_refusal("threshold --case C1 --fastest 2 --plot " + (scene / "steps.svg").string(),

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-using Rows = std::vector<std::map<std::string, std::string>>;
+using CsvRows = std::vector<std::map<std::string, std::string>>;
 
 /// The grammar of RFC 4180, section 2, with a line feed for its line break: all fields of all rows.
 std::vector<std::vector<std::string>> fields_in(const std::string& text) {
@@ -40,9 +40,9 @@ std::vector<std::vector<std::string>> fields_in(const std::string& text) {
   return rows;
 }
 
-Rows table_in(const std::string& text) {
+CsvRows table_in(const std::string& text) {
   const auto rows = fields_in(text);
-  Rows table;
+  CsvRows table;
   for (std::size_t k = 1; k < rows.size(); ++k) {
     EXPECT_EQ(rows[k].size(), rows[0].size());
     table.emplace_back();
@@ -66,7 +66,7 @@ using Csv = ExportedStore;
 
 TEST_F(Csv, HasEveryRunWithItsVerdict) {
   write_csv(store, {}, out);
-  const Rows runs = table_in(text_of(out / "runs.csv"));
+  const CsvRows runs = table_in(text_of(out / "runs.csv"));
   ASSERT_EQ(runs.size(), records.size());
   auto expected = records.begin();  // a store hands them over in the order of their keys
   for (const auto& run : runs) {
@@ -156,7 +156,7 @@ TEST_F(Csv, HasNoLabelThatIsReadAsAMissingValue) {
   record.failure = "None";
   add({{"wide", "original", "nan", "nlopt-cobyla", 99, "n"}, 1, 0}, record);
   write_csv(store, {}, out);
-  const Rows runs = table_in(text_of(out / "runs.csv"));
+  const CsvRows runs = table_in(text_of(out / "runs.csv"));
   const auto added = std::ranges::find_if(
       runs, [](const auto& run) { return run.at("budget_per_variable") == "99"; });
   ASSERT_NE(added, runs.end());
@@ -176,7 +176,7 @@ TEST_F(Csv, HasTheRunningTimeOfEveryCell) {
     add({{"profile/5", "original", "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
   }
   write_csv(store, {}, out);
-  const Rows cells = table_in(text_of(out / "running_times.csv"));
+  const CsvRows cells = table_in(text_of(out / "running_times.csv"));
   ASSERT_EQ(cells.size(), 4U * 12 + 1);
   const auto added = std::ranges::find_if(
       cells, [](const auto& cell) { return cell.at("budget_per_variable") == "7"; });
@@ -189,7 +189,7 @@ TEST_F(Csv, HasTheRunningTimeOfEveryCell) {
 
 TEST_F(Csv, HasTheProblemsWithTheirFactors) {
   write_csv(store, {}, out);
-  const Rows problems = table_in(text_of(out / "problems.csv"));
+  const CsvRows problems = table_in(text_of(out / "problems.csv"));
   ASSERT_EQ(problems.size(), 4U);
   EXPECT_EQ(problems[0].at("best_known"), "-8.25");
   EXPECT_EQ(problems[0].at("friction"), "0.25");

@@ -215,11 +215,10 @@ void add_sample(CommandLine& line, CLI::App* plan) {
                     "Print a sample of an archive's problems, evenly over difficulty, and "
                     "how far its ranking agrees with that of all");
   const auto options = std::make_shared<SampleOptions>();
-  sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
-      ->type_name("ARCHIVE")
+  add_value(sample, "archive", options->archive, "An archive; archive: that of the reference",
+            "ARCHIVE")
       ->required();
-  sample->add_option("--share", options->share, "Of each family; at least three problems")
-      ->capture_default_str();
+  add_value(sample, "--share", options->share, "Of each family; at least three problems");
   add_format(sample, options->json);
   line.on_call(sample, [options] { return sample_problems(*options); });
 }

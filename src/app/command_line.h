@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -90,6 +91,18 @@ auto named(const List& list, const std::string& wanted, const std::string& what,
 inline void tell(const studies::Finished& finished) {
   std::fputs(finished.epilogue.c_str(), stdout);
   report::require_none(finished.failures);
+}
+
+/// Adds an option; the help shows its default, and `kind`, what its value is, such as "FILE".
+template <class T>
+CLI::Option* add_value(CLI::App* command, const std::string& name, T& value,
+                       const std::string& help, const std::string& kind = "") {
+  CLI::Option* option = command->add_option(name, value, help);
+  if (!kind.empty()) option->type_name(kind);
+  if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    option->capture_default_str();
+  }
+  return option;
 }
 
 /// Prints a table: as JSON, a list of objects, or for people, cut at the edge of a terminal.

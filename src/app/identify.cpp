@@ -207,40 +207,26 @@ void add_identify(CommandLine& line) {
       "  ricochet identify knocks.csv --scene machine.toml --speed speed.csv --marks marks.csv\n"
       "  ricochet identify knocks.csv --scene machine.toml --omega 5 --plot residuals.svg");
   const auto options = std::make_shared<IdentifyOptions>();
-  command
-      ->add_option("knocks", options->files.knocks,
-                   "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]")
-      ->type_name("FILE")
+  add_value(command, "knocks", options->files.knocks,
+            "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]", "FILE")
       ->required();
-  command->add_option("--scene", options->scene_file, "A machine file (TOML); - is standard input")
-      ->type_name("FILE");
+  add_value(command, "--scene", options->scene_file, "A machine file (TOML); - is standard input",
+            "FILE");
   command->add_option("--omega", options->files.omega, "Constant speed of the plate [rad/s]");
-  command
-      ->add_option("--speed", options->files.speed,
-                   "CSV file: time [s], omega [rad/s] of the plate; linear in between")
-      ->type_name("FILE");
-  command->add_option("--marks", options->files.marks, "CSV file: time [s] of marks on the plate")
-      ->type_name("FILE");
-  command->add_option("--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark")
-      ->capture_default_str();
-  command
-      ->add_option("--mark-deviation", options->files.mark_deviation,
-                   "Standard deviation [rad] of --mark-angle; 0: exact")
-      ->capture_default_str();
-  command
-      ->add_option("--lag-deviation", options->files.lag_deviation,
-                   "Standard deviation [s] of the lag between two files; 0: one clock")
-      ->capture_default_str();
-  command->add_option("--solver", options->solver, "Solver that takes gradients")
-      ->type_name("SOLVER")
-      ->capture_default_str();
-  command->add_option("--fastest", options->fastest, "End of the speed range [rad/s]")
-      ->capture_default_str();
+  add_value(command, "--speed", options->files.speed,
+            "CSV file: time [s], omega [rad/s] of the plate; linear in between", "FILE");
+  add_value(command, "--marks", options->files.marks, "CSV file: time [s] of marks on the plate",
+            "FILE");
+  add_value(command, "--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark");
+  add_value(command, "--mark-deviation", options->files.mark_deviation,
+            "Standard deviation [rad] of --mark-angle; 0: exact");
+  add_value(command, "--lag-deviation", options->files.lag_deviation,
+            "Standard deviation [s] of the lag between two files; 0: one clock");
+  add_value(command, "--solver", options->solver, "Solver that takes gradients", "SOLVER");
+  add_value(command, "--fastest", options->fastest, "End of the speed range [rad/s]");
   add_seconds(command, options->seconds);
-  command->add_option("--out", options->out, "Machine file (TOML) for the fitted machine")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the residuals")
-      ->type_name("FILE");
+  add_value(command, "--out", options->out, "Machine file (TOML) for the fitted machine", "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the residuals", "FILE");
   add_format(command, options->json);
   line.on_call(command, [options] { return identify(*options); });
 }

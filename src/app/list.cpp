@@ -176,11 +176,9 @@ void add_list(CommandLine& line) {
       ->required()
       ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
   add_scene_file(command, options->scene_file, options->settings);
-  command->add_option("--family", options->family, "Problems of this family")->type_name("FAMILY");
-  command
-      ->add_option("--solver-accepts", options->solver,
-                   "Problems with a formulation that this solver accepts")
-      ->type_name("SOLVER");
+  add_value(command, "--family", options->family, "Problems of this family", "FAMILY");
+  add_value(command, "--solver-accepts", options->solver,
+            "Problems with a formulation that this solver accepts", "SOLVER");
   add_format(command, options->json);
   line.on_call(command, [options] { return list(*options); });
 }

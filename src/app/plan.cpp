@@ -154,11 +154,9 @@ Plan plan_named(const std::string& name) {
 }
 
 void add_plan_file(CLI::App* command, std::string& plan) {
-  command
-      ->add_option(
-          "plan", plan,
-          "A plan file (TOML), - for standard input; or quick, default, studies, reference, full")
-      ->type_name("PLAN:{quick,default,studies,reference,full}")
+  add_value(command, "plan", plan,
+            "A plan file (TOML), - for standard input; or quick, default, studies, reference, full",
+            "PLAN:{quick,default,studies,reference,full}")
       ->required();
 }
 
@@ -180,8 +178,7 @@ void add_plan(CommandLine& line) {
   add_sample(line, command);
   CLI::App* slurm = line.add_part(command, "slurm", "Print a job script for Slurm");
   add_plan_file(slurm, options->plan);
-  slurm->add_option("--jobs", options->jobs, "Number of jobs, of one core each")
-      ->capture_default_str();
+  add_value(slurm, "--jobs", options->jobs, "Number of jobs, of one core each");
   line.on_call(slurm, [options] { return slurm_script(*options); });
 }
 

@@ -127,21 +127,15 @@ void add_regimes(CommandLine& line) {
   add_scene_choice(command, options->scene);
   add_format(command, options->json);
   add_seconds(command, options->seconds);
-  command->add_option("--from", options->range.from, "Start of the speed range [rad/s]")
-      ->capture_default_str();
-  command->add_option("--to", options->range.to, "End of the speed range [rad/s]")
-      ->capture_default_str();
-  command
-      ->add_option("--plot", options->plot,
-                   "SVG file for a chart of the collisions a turn; with --over: for a map")
-      ->type_name("FILE");
+  add_value(command, "--from", options->range.from, "Start of the speed range [rad/s]");
+  add_value(command, "--to", options->range.to, "End of the speed range [rad/s]");
+  add_value(command, "--plot", options->plot,
+            "SVG file for a chart of the collisions a turn; with --over: for a map", "FILE");
   CLI::Option* over =
-      command
-          ->add_option(
-              "--over", options->over,
-              "Follow every border over a constant: " +
-                  fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")))
-          ->type_name("CONSTANT=FROM..TO");
+      add_value(command, "--over", options->over,
+                "Follow every border over a constant: " +
+                    fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")),
+                "CONSTANT=FROM..TO");
   command
       ->add_option(
           "--values", options->values,
@@ -149,8 +143,8 @@ void add_regimes(CommandLine& line) {
                       "under a disturbance, where each takes up to some seconds",
                       carrier_track::usual_values, carrier_track::few_values))
       ->needs(over);
-  command->add_option("--csv", options->csv, "CSV file for the points of the borders, in SI units")
-      ->type_name("FILE")
+  add_value(command, "--csv", options->csv, "CSV file for the points of the borders, in SI units",
+            "FILE")
       ->needs(over);
   CLI::Option* starts =
       command
@@ -159,9 +153,7 @@ void add_regimes(CommandLine& line) {
           ->excludes(over);
   command->add_option("--omega", options->omega, "That speed [rad/s], in place of the scene's")
       ->needs(starts);
-  command->add_option("--seed", options->sampled.seed, "Seed of the random starts")
-      ->capture_default_str()
-      ->needs(starts);
+  add_value(command, "--seed", options->sampled.seed, "Seed of the random starts")->needs(starts);
   command
       ->add_option("--height", options->sampled.height,
                    "Highest start [m] above the lower wall; default: the clearance")

@@ -249,12 +249,10 @@ void add_simulate(CommandLine& line) {
   command
       ->add_option("--fidelity", options->fidelity, "Level of the model, in place of the scene's")
       ->check(CLI::IsMember(levels));
-  command->add_option("--smoothing", options->smoothing, "Smoothing parameter of the surrogate")
-      ->capture_default_str();
-  command->add_option("--csv", options->csv, "CSV file for the path: time, position, velocity")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the path")
-      ->type_name("FILE");
+  add_value(command, "--smoothing", options->smoothing, "Smoothing parameter of the surrogate");
+  add_value(command, "--csv", options->csv, "CSV file for the path: time, position, velocity",
+            "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the path", "FILE");
   line.on_call(command, [options] { return simulate(*options); });
 }
 

@@ -336,33 +336,24 @@ void add_solve(CommandLine& line) {
                "  ricochet solve ./mine.so count-C1\n"
                "  ricochet solve 'python3 mine.py' count-C1");
   const auto options = std::make_shared<SolveOptions>();
-  command
-      ->add_option("solver", options->solver,
-                   "A name of `ricochet list solvers`, a shared library or a program")
-      ->required()
-      ->type_name("SOLVER");
-  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
-      ->required()
-      ->type_name("PROBLEM");
+  add_value(command, "solver", options->solver,
+            "A name of `ricochet list solvers`, a shared library or a program", "SOLVER")
+      ->required();
+  add_value(command, "problem", options->problem, "A name of `ricochet list problems`", "PROBLEM")
+      ->required();
   add_scene_file(command, options->scene_file, options->settings);
   command->add_option("--formulation", options->formulation,
                       "Formulation of the problem; default: the first that the solver accepts");
   std::vector<std::string> perturbations;
   for (const Perturbation& known : all_perturbations()) perturbations.push_back(known.name);
-  command->add_option("--perturbation", options->perturbation, "Perturbation of the problem")
-      ->type_name(fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")))
-      ->capture_default_str();
-  command->add_option("--budget", options->budget, "Evaluations")->capture_default_str();
-  command
-      ->add_option("--instance", options->instance,
-                   "0: the original problem; 1, 2, ...: moved and reflected")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Number of the run, which gives its random numbers")
-      ->capture_default_str();
-  command->add_option("--trace", options->trace, "CSV file for the improvements")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the improvements")
-      ->type_name("FILE");
+  add_value(command, "--perturbation", options->perturbation, "Perturbation of the problem",
+            fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")));
+  add_value(command, "--budget", options->budget, "Evaluations");
+  add_value(command, "--instance", options->instance,
+            "0: the original problem; 1, 2, ...: moved and reflected");
+  add_value(command, "--seed", options->seed, "Number of the run, which gives its random numbers");
+  add_value(command, "--trace", options->trace, "CSV file for the improvements", "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the improvements", "FILE");
   add_limits(command, options->limits);
   add_format(command, options->json);
   line.on_call(command, [options] { return solve(*options); });

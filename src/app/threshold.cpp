@@ -267,8 +267,7 @@ void add_threshold(CommandLine& line) {
   add_format(command, options->json);
   command->add_flag("--all", options->all, "Every case of the paper");
   add_request(command, options->asked);
-  command->add_option("--plot", options->plot, "SVG file for a chart of the counts")
-      ->type_name("FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the counts", "FILE");
   line.on_call(command, [options] { return threshold(*options); });
 }
 
@@ -301,8 +300,7 @@ std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
 
 void add_request(CLI::App* command, QuietSpeedRequest& asked) {
   add_seconds(command, asked.seconds);
-  command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
-      ->capture_default_str();
+  add_value(command, "--fastest", asked.fastest, "End of the speed range [rad/s]");
   command->add_option("--allow", asked.allow, "Limit: collisions in the window");
   command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions per turn");
   command->add_option("--allow-energy", asked.allow_energy,

@@ -95,9 +95,9 @@ void print_changes(const EntryChanges& changes) {
   const auto same = std::erase_if(changed, [](const EntryChange& one) { return one.same(); });
   if (!changed.empty()) {
     print(only(change_table(changed),
-                    {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
-                     "dearer", "problems", "p", "sure", "version", "other_version"}),
-               false);
+               {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
+                "dearer", "problems", "p", "sure", "version", "other_version"}),
+          false);
   }
   if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
   if (changes.entries.empty()) {
@@ -215,11 +215,10 @@ void add_sample(CommandLine& line, CLI::App* plan) {
                     "Print a sample of an archive's problems, evenly over difficulty, and "
                     "how far its ranking agrees with that of all");
   const auto options = std::make_shared<SampleOptions>();
-  sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
-      ->type_name("ARCHIVE")
+  add_value(sample, "archive", options->archive, "An archive; archive: that of the reference",
+            "ARCHIVE")
       ->required();
-  sample->add_option("--share", options->share, "Of each family; at least three problems")
-      ->capture_default_str();
+  add_value(sample, "--share", options->share, "Of each family; at least three problems");
   add_format(sample, options->json);
   line.on_call(sample, [options] { return sample_problems(*options); });
 }

@@ -144,16 +144,13 @@ void add_submit(CommandLine& line) {
                "  ricochet submit mine/runs.sqlite --out mine.archive --citation CITATION.cff\n"
                "  ricochet merge all.sqlite reports/archive/reference.archive mine.archive");
   const auto options = std::make_shared<SubmitOptions>();
-  command->add_option("store", options->store, "A store, runs.sqlite")
-      ->type_name("FILE")
-      ->required();
-  command->add_option("--out", options->out, "The archive")->type_name("FILE")->required();
-  command
-      ->add_option("--solvers", options->solvers,
-                   "Patterns, separated by commas; default: the solvers that are not of the suite")
-      ->type_name("SOLVERS");
-  command->add_option("--citation", options->citation, "How to cite the solver: a CITATION.cff")
-      ->type_name("FILE");
+  add_value(command, "store", options->store, "A store, runs.sqlite", "FILE")->required();
+  add_value(command, "--out", options->out, "The archive", "FILE")->required();
+  add_value(command, "--solvers", options->solvers,
+            "Patterns, separated by commas; default: the solvers that are not of the suite",
+            "SOLVERS");
+  add_value(command, "--citation", options->citation, "How to cite the solver: a CITATION.cff",
+            "FILE");
   add_verification(command, options->verification);
   line.on_call(command, [options] { return submit(*options); });
 }

@@ -139,24 +139,18 @@ void add_run(CommandLine& line) {
                                "  mpirun -n 64 ricochet run plan.toml --out mine");
   const auto options = std::make_shared<RunOptions>();
   add_plan_file(command, options->plan);
-  command->add_option("--out", options->out, "Folder of the store, runs.sqlite")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  command->add_option("--shard", options->shard, "Only the I-th of N parts of the runs")
-      ->type_name("I/N")
-      ->capture_default_str();
+  add_value(command, "--out", options->out, "Folder of the store, runs.sqlite", "FOLDER");
+  add_value(command, "--shard", options->shard, "Only the I-th of N parts of the runs", "I/N");
   CLI::Option* resume =
       command->add_flag("--resume", options->resume, "Continue the campaign in this folder");
-  command
-      ->add_option("--from", options->from,
-                   "Take over the runs of another store whose problem and solver are the same; may "
-                   "be repeated")
-      ->type_name("STORE")
+  add_value(command, "--from", options->from,
+            "Take over the runs of another store whose problem and solver are the same; may "
+            "be repeated",
+            "STORE")
       ->allow_extra_args(false)
       ->excludes(resume);
   add_allowance(command, options->allow_programs);
-  command->add_option("--jobs", options->jobs, "Runs in parallel; 0: as many as cores")
-      ->capture_default_str();
+  add_value(command, "--jobs", options->jobs, "Runs in parallel; 0: as many as cores");
   command->add_option("--serve", options->serve, "What this process does under MPI")
       ->check(CLI::IsMember({"store", "runs"}))
       ->group("");  // hidden

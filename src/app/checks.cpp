@@ -91,11 +91,9 @@ void add_verify(CommandLine& line) {
                                "  ricochet verify --scenes 10000\n"
                                "  ricochet verify --scene-index 17");
   const auto options = std::make_shared<VerifyOptions>();
-  command
-      ->add_option("--scenes", options->verification.scenes, "Number of random and hostile scenes")
-      ->capture_default_str();
-  command->add_option("--seed", options->verification.seed, "Seed of the scenes")
-      ->capture_default_str();
+  add_value(command, "--scenes", options->verification.scenes,
+            "Number of random and hostile scenes");
+  add_value(command, "--seed", options->verification.seed, "Seed of the scenes");
   command->add_option("--scene-index", options->scene_index,
                       "Print this scene and both lists of impacts instead");
   add_format(command, options->json);
@@ -219,18 +217,14 @@ void add_impact_test(CommandLine& line) {
                "  ricochet impact-test --tools none --tool mine=./my-simulator --levels usual\n"
                "  ricochet impact-test --tools 'odeint*,scipy*' --install-tools");
   const auto options = std::make_shared<ImpactTestOptions>();
-  command->add_option("--scenes", options->scenes, "Number of scenes")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the scenes")->capture_default_str();
-  command
-      ->add_option("--tools", options->tools,
-                   "Names or patterns such as 'odeint*', all that are installed, or none")
-      ->capture_default_str();
-  command
-      ->add_option("--tool", options->own_tools,
-                   "A program of your own, too; docs/impact-test.md says what it reads and writes")
-      ->type_name("NAME=COMMAND");
-  command->add_option("--levels", options->levels, "How exactly tools are asked to simulate")
-      ->capture_default_str();
+  add_value(command, "--scenes", options->scenes, "Number of scenes");
+  add_value(command, "--seed", options->seed, "Seed of the scenes");
+  add_value(command, "--tools", options->tools,
+            "Names or patterns such as 'odeint*', all that are installed, or none");
+  add_value(command, "--tool", options->own_tools,
+            "A program of your own, too; docs/impact-test.md says what it reads and writes",
+            "NAME=COMMAND");
+  add_value(command, "--levels", options->levels, "How exactly tools are asked to simulate");
   command->add_flag("--list-tools", options->list, "Instead: list the tools");
   command->add_flag("--install-tools", options->install,
                     "Instead: install the tools from Debian and Python's registry, and list them");

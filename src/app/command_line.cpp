@@ -186,13 +186,10 @@ CLI::App* CommandLine::add_part(CLI::App* command, const std::string& part,
 
 void CommandLine::add_usual_options(CLI::App* command) {
   command->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
-  command
-      ->add_option(
-          "--color", color_,
-          "Errors in colour: auto means on a terminal that is not dumb, if NO_COLOR is not set")
-      ->type_name("WHEN")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_value(command, "--color", color_,
+            "Errors in colour: auto means on a terminal that is not dumb, if NO_COLOR is not set",
+            "WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
 void CommandLine::on_call(CLI::App* command, const std::function<int()>& work) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,18 @@ inline void tell(const studies::Finished& finished) {
   report::require_none(finished.failures);
 }
 
+/// Adds an option; the help shows its default, and `kind`, what its value is, such as "FILE".
+template <class T>
+CLI::Option* add_value(CLI::App* command, const std::string& name, T& value,
+                       const std::string& help, const std::string& kind = "") {
+  CLI::Option* option = command->add_option(name, value, help);
+  if (!kind.empty()) option->type_name(kind);
+  if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+    option->capture_default_str();
+  }
+  return option;
+}
+
 /// Prints a table: as JSON, a list of objects, or for people, cut at the edge of a terminal.
 void print(const Table& table, bool json);
 
@@ -105,101 +118,37 @@ Table impact_table(std::span<const carrier_track::Impact> impacts);
 /// Number of runs made at once.
 int cores();
 
-/// The commands, each with its options in the file of its name; run in campaign.cpp, submit in
-/// archive.cpp, and replay, merge and digest in verified_runs.cpp.
-///
-/// Prints a machine file to start from, checks one, or writes the page of advice into a folder.
+/// Each adds a command, whose help says what it does, with its options; in the file of its name,
+/// but run in campaign.cpp, submit in archive.cpp, site and export in report.cpp, scene in
+/// scene_choice.cpp, replay, merge and digest in verified_runs.cpp, and sample in agreement.cpp.
 void add_machine(CommandLine& line);
-
-/// Prints impacts, peaks, count and certainty of one run.
 void add_simulate(CommandLine& line);
-
-/// Prints the fastest quiet speed of a machine, from its regimes in the long run or by a limit of
-/// its window. For the paper's cases it prints the threshold by the paper's rule, too.
 void add_threshold(CommandLine& line);
-
-/// Prints what the carrier of a machine does in the long run, from border to border; or the borders
-/// over a constant; or the motions that sampled starts lead to.
 void add_regimes(CommandLine& line);
-
-/// Fits a machine to recorded knocks and prints its constants and safe speed with their intervals.
 void add_identify(CommandLine& line);
-
-/// Prints a scene as a machine file; of a case of the paper, it says which numbers are fitted.
 void add_scene(CommandLine& line);
-
-/// Lists cases, problems, solvers or interpretations.
 void add_list(CommandLine& line);
-
-/// Runs one solver once and prints its progress and its score.
 void add_solve(CommandLine& line);
-
-/// Evaluates a problem for an external optimiser: reads a line of JSON with a point, or with a list
-/// of points, on standard input and writes a line of JSON with the values on standard output. Exit
-/// code 1 if a line was invalid, or if a point evaluated twice had two results.
 void add_evaluate(CommandLine& line);
-
-/// Compares solvers on problems as a separate campaign, which resumes automatically if it was
-/// interrupted; or the user's solvers with those whose runs an archive has; or two stores.
 void add_compare(CommandLine& line);
-
-/// Prints a plan to start from, what a plan would run and for how long, or a script for the
-/// workload manager Slurm that runs a plan as a number of jobs and merges their stores.
 void add_plan(CommandLine& line);
-
-/// Adds to the command plan its part sample: prints a sample of the problems of an archive, evenly
-/// over their difficulty, and how far the order of the entries on it agrees with that on all.
-void add_sample(CommandLine& line, CLI::App* plan);
-
-/// Runs or resumes a plan; it is one of the ranks if mpirun started several. After all runs it
-/// writes the report.
 void add_run(CommandLine& line);
-
-/// Repeats a stored run and says whether the results are identical to the bit: exit code 0, or 1.
-/// Starts only the run's own solver, and that only if it is of the suite or programs are allowed.
 void add_replay(CommandLine& line);
-
-/// Joins the stores of a campaign's parts into a new one.
 void add_merge(CommandLine& line);
-
-/// Prints the digest of a store.
 void add_digest(CommandLine& line);
-
-/// Writes runs of a store as an archive, after some of them have been repeated to the bit.
 void add_submit(CommandLine& line);
-
-/// Exports a campaign's store to the formats of other tools.
 void add_export(CommandLine& line);
-
-/// Draws a report, or all reports of a folder, again from their data. Throws InputError, which
-/// names file and place, for data that are none of a report's or of which a chart cannot be drawn;
-/// then everything else has been drawn.
 void add_report(CommandLine& line);
-
-/// Writes the site of a folder of reports, ready for a static host, and prints its size. Throws
-/// InputError as publish_site does, and for data of which something cannot be drawn; then
-/// everything else has been drawn.
 void add_site(CommandLine& line);
-
-/// Hidden: prints what is installed beside the program, its manual and completions for the shells.
 void add_describe(CommandLine& line);
 
-/// The commands of ricochet-studies that are more than a study.
-///
-/// Fits the unknown parameters to the paper's claims, or the long run's borders to the thresholds.
+/// Adds the part sample to the command plan.
+void add_sample(CommandLine& line, CLI::App* plan);
+
+/// The commands of ricochet-studies that are more than a study, in studies_main.cpp and checks.cpp.
 void add_calibrate(CommandLine& line);
-
-/// Runs the study, and prints its summary, or its results as JSON: exit code 1 where a count called
-/// certain is wrong. Or prints one scene, to examine a disagreement.
 void add_verify(CommandLine& line);
-
-/// Runs the test, and prints its summary, or its results as JSON: exit code 1 where ricochet itself
-/// misses or invents an impact. Or lists the tools, or installs them from Debian and from Python's
-/// registry.
 void add_impact_test(CommandLine& line);
-
-/// Searches for the best value of every problem, resumes where it was stopped, and writes the
-/// values to a file; or takes better values from a store; or searches for hard machines.
 void add_best_values(CommandLine& line);
 
 /// Returns the output of --version: version, commit, compiler, and the linked libraries.

@@ -88,48 +88,37 @@ void add_compare(CommandLine& line) {
       add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
   add_scene_file(command, options->machine.scene_file, options->machine.settings);
   CLI::Option* against =
-      command
-          ->add_option("--against", options->against,
-                       "Run only the solvers of --solver, on the problems and beside the runs of "
-                       "this archive; archive: that of the reference, which is included")
-          ->type_name("ARCHIVE");
+      add_value(command, "--against", options->against,
+                "Run only the solvers of --solver, on the problems and beside the runs of "
+                "this archive; archive: that of the reference, which is included",
+                "ARCHIVE");
   CLI::Option* stores =
-      command
-          ->add_option(
-              "--stores", options->stores,
-              "Print how far two stores, or archives, order their entries alike, and which "
-              "entries changed")
-          ->type_name("FILE")
+      add_value(command, "--stores", options->stores,
+                "Print how far two stores, or archives, order their entries alike, and which "
+                "entries changed",
+                "FILE")
           ->expected(2);
   add_format(command, options->json);
   command->get_option("--format")->needs(stores);
-  command
-      ->add_option("--problems", options->compared.problems,
-                   "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
-      ->type_name("PROBLEMS");
+  add_value(command, "--problems", options->compared.problems,
+            "Patterns, separated by commas; default: 48 problems of 1 to 32 variables", "PROBLEMS");
   command->add_option("--family", options->family, "Problems of this family")
       ->type_name("FAMILY")
       ->excludes("--scene", "--problems");
-  command->add_option("--solvers", options->compared.solvers, "Patterns, separated by commas")
-      ->type_name("SOLVERS")
-      ->capture_default_str();
-  command
-      ->add_option("--solver", options->compared.added_solvers,
-                   "A further solver: a shared library or a program; may be repeated")
-      ->type_name("SOLVER")
+  add_value(command, "--solvers", options->compared.solvers, "Patterns, separated by commas",
+            "SOLVERS");
+  add_value(command, "--solver", options->compared.added_solvers,
+            "A further solver: a shared library or a program; may be repeated", "SOLVER")
       ->allow_extra_args(false);
-  command
-      ->add_option("--formulations", options->compared.formulations,
-                   "Patterns, such as *count or penalised*")
-      ->capture_default_str();
+  add_value(command, "--formulations", options->compared.formulations,
+            "Patterns, such as *count or penalised*");
   command
       ->add_option("--smoothings", options->compared.smoothings,
                    "Further smoothing parameters of the surrogate")
       ->delimiter(',');
   command->add_option("--budget", options->compared.budgets, "Evaluations for each variable")
       ->delimiter(',');
-  command->add_option("--instances", options->compared.instances, "Instances of every problem")
-      ->capture_default_str();
+  add_value(command, "--instances", options->compared.instances, "Instances of every problem");
   add_limits(command, options->compared.limits);
   for (const char* option :
        {"--scene", "--set", "--problems", "--family", "--solvers", "--formulations", "--smoothings",

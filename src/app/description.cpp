@@ -130,11 +130,6 @@ std::string manual(const Json& commands) {
 
 namespace {
 
-/// In single quotes, as bash and zsh read them.
-std::string shell_quoted(const std::string& text) {
-  return "'" + replace_all_copy(text, "'", "'\\''") + "'";
-}
-
 std::string words_of(const Json& list) {
   return fmt::format("{}", fmt::join(list.get<std::vector<std::string>>(), " "));
 }

@@ -271,16 +271,13 @@ void add_evaluate(CommandLine& line) {
       "at once are [[1, 2], [3, 4]] or {\"x\": [[1, 2], [3, 4]]}: the answer has a list for each "
       "key.");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
-      ->required()
-      ->type_name("PROBLEM");
+  add_value(command, "problem", options->problem, "A name of `ricochet list problems`", "PROBLEM")
+      ->required();
   add_scene_file(command, options->scene_file, options->settings);
   command->add_option("--formulation", options->formulation,
                       "Formulation of the problem; default: the true objective");
-  command
-      ->add_option("--instance", options->instance,
-                   "0: the original problem; 1, 2, ...: moved and reflected")
-      ->capture_default_str();
+  add_value(command, "--instance", options->instance,
+            "0: the original problem; 1, 2, ...: moved and reflected");
   command->add_flag("--derivatives", options->derivatives, "Print gradient and Jacobian, too");
   command->add_flag("--replay", options->replay,
                     "Evaluate every point twice and compare bit by bit");

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <deque>
 #include <filesystem>
 #include <numbers>
 
@@ -11,7 +10,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/identification/identified_machine.h"
 #include "src/identification/knock_fit.h"
 #include "src/report/drawing.h"
@@ -147,16 +145,6 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
              report::counted(machine.fit.evaluations, "simulation"));
 }
 
-void refuse_same_files(const IdentifyOptions& options) {
-  const std::string* inputs[] = {&options.scene_file, &options.files.knocks, &options.files.speed,
-                                 &options.files.marks};
-  for (const std::string* input : inputs) {
-    refuse_same_file("--out", options.out, *input, "an input");
-    refuse_same_file("--plot", options.plot, *input, "an input");
-  }
-  refuse_same_file("--plot", options.plot, options.out, "that of --out");
-}
-
 std::string machine_text(const IdentifiedMachine& machine, const std::string& knocks) {
   return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}{}",
                      std::filesystem::path(knocks).filename().string(),
@@ -182,7 +170,9 @@ int identify(const IdentifyOptions& options) {
   if (!(options.fastest >= 0.1 && options.fastest <= 1000)) {
     throw InputError(fmt::format("--fastest {}: must be within 0.1..1000 rad/s", options.fastest));
   }
-  refuse_same_files(options);
+  refuse_same_files(
+      {{"--out", options.out}, {"--plot", options.plot}},
+      {options.scene_file, options.files.knocks, options.files.speed, options.files.marks});
   const Solver solver = solver_named(options.solver, "--solver");
   if (solver.capabilities.derivatives != Capabilities::Order::gradient ||
       solver.capabilities.needs_constraints || solver.capabilities.needs_smoothing) {
@@ -195,12 +185,8 @@ int identify(const IdentifyOptions& options) {
   });
   report::Plot plot;
   if (!options.plot.empty()) plot = report::plot_of(knock_charts(loss, machine.fit.x));
-  std::deque<TextDraft> drafts;
-  if (!options.out.empty()) {
-    drafts.emplace_back(options.out, machine_text(machine, options.files.knocks));
-  }
-  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  for (TextDraft& draft : drafts) draft.commit();
+  write_files(
+      {{options.out, machine_text(machine, options.files.knocks)}, {options.plot, plot.svg}});
   if (options.json) {
     fmt::print("{}\n", json_of(machine, loss, solver.name).dump(2));
   } else {
@@ -221,40 +207,26 @@ void add_identify(CommandLine& line) {
       "  ricochet identify knocks.csv --scene machine.toml --speed speed.csv --marks marks.csv\n"
       "  ricochet identify knocks.csv --scene machine.toml --omega 5 --plot residuals.svg");
   const auto options = std::make_shared<IdentifyOptions>();
-  command
-      ->add_option("knocks", options->files.knocks,
-                   "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]")
-      ->type_name("FILE")
+  add_value(command, "knocks", options->files.knocks,
+            "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]", "FILE")
       ->required();
-  command->add_option("--scene", options->scene_file, "A machine file (TOML); - is standard input")
-      ->type_name("FILE");
+  add_value(command, "--scene", options->scene_file, "A machine file (TOML); - is standard input",
+            "FILE");
   command->add_option("--omega", options->files.omega, "Constant speed of the plate [rad/s]");
-  command
-      ->add_option("--speed", options->files.speed,
-                   "CSV file: time [s], omega [rad/s] of the plate; linear in between")
-      ->type_name("FILE");
-  command->add_option("--marks", options->files.marks, "CSV file: time [s] of marks on the plate")
-      ->type_name("FILE");
-  command->add_option("--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark")
-      ->capture_default_str();
-  command
-      ->add_option("--mark-deviation", options->files.mark_deviation,
-                   "Standard deviation [rad] of --mark-angle; 0: exact")
-      ->capture_default_str();
-  command
-      ->add_option("--lag-deviation", options->files.lag_deviation,
-                   "Standard deviation [s] of the lag between two files; 0: one clock")
-      ->capture_default_str();
-  command->add_option("--solver", options->solver, "Solver that takes gradients")
-      ->type_name("SOLVER")
-      ->capture_default_str();
-  command->add_option("--fastest", options->fastest, "End of the speed range [rad/s]")
-      ->capture_default_str();
+  add_value(command, "--speed", options->files.speed,
+            "CSV file: time [s], omega [rad/s] of the plate; linear in between", "FILE");
+  add_value(command, "--marks", options->files.marks, "CSV file: time [s] of marks on the plate",
+            "FILE");
+  add_value(command, "--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark");
+  add_value(command, "--mark-deviation", options->files.mark_deviation,
+            "Standard deviation [rad] of --mark-angle; 0: exact");
+  add_value(command, "--lag-deviation", options->files.lag_deviation,
+            "Standard deviation [s] of the lag between two files; 0: one clock");
+  add_value(command, "--solver", options->solver, "Solver that takes gradients", "SOLVER");
+  add_value(command, "--fastest", options->fastest, "End of the speed range [rad/s]");
   add_seconds(command, options->seconds);
-  command->add_option("--out", options->out, "Machine file (TOML) for the fitted machine")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the residuals")
-      ->type_name("FILE");
+  add_value(command, "--out", options->out, "Machine file (TOML) for the fitted machine", "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the residuals", "FILE");
   add_format(command, options->json);
   line.on_call(command, [options] { return identify(*options); });
 }

@@ -51,10 +51,8 @@ void show(const std::stop_token& end, const TimeLimit& limit) {
 }  // namespace
 
 void add_seconds(CLI::App* command, double& seconds) {
-  command
-      ->add_option("--seconds", seconds,
-                   "Time limit [s], after which it ends with what it knows, and exit code 1")
-      ->capture_default_str();
+  add_value(command, "--seconds", seconds,
+            "Time limit [s], after which it ends with what it knows, and exit code 1");
 }
 
 Limited::Limited(double seconds, double kept)

@@ -34,13 +34,8 @@ struct ListOptions {
 };
 
 Table cases() {
-  Table table{"cases",
-              {{"case"},
-               {"restitution"},
-               {"friction"},
-               {"disturbance"},
-               {"paper_threshold"},
-               {"paper_quiet_count"}}};
+  Table table{"cases", columns_named("case,restitution,friction,disturbance,paper_threshold,"
+                                     "paper_quiet_count")};
   for (const Case& c : all_cases()) {
     table.add(c.id, c.restitution, c.friction, c.disturbance, c.claim.threshold,
               c.claim.quiet_count);
@@ -118,13 +113,7 @@ int list_problems(const ListOptions& options) {
 
 Table solvers() {
   Table table{"solvers",
-              {{"solver"},
-               {"variables"},
-               {"constraints"},
-               {"needs"},
-               {"stochastic"},
-               {"at_limit"},
-               {"version"}}};
+              columns_named("solver,variables,constraints,needs,stochastic,at_limit,version")};
   const auto add = [&table](const std::string& name, const Capabilities& can,
                             const std::optional<bool>& stochastic,
                             const std::optional<std::string>& at_limit,
@@ -187,11 +176,9 @@ void add_list(CommandLine& line) {
       ->required()
       ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
   add_scene_file(command, options->scene_file, options->settings);
-  command->add_option("--family", options->family, "Problems of this family")->type_name("FAMILY");
-  command
-      ->add_option("--solver-accepts", options->solver,
-                   "Problems with a formulation that this solver accepts")
-      ->type_name("SOLVER");
+  add_value(command, "--family", options->family, "Problems of this family", "FAMILY");
+  add_value(command, "--solver-accepts", options->solver,
+            "Problems with a formulation that this solver accepts", "SOLVER");
   add_format(command, options->json);
   line.on_call(command, [options] { return list(*options); });
 }

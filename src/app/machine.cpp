@@ -96,9 +96,7 @@ void add_machine(CommandLine& line) {
       line.add_part(command, "advise", "Write a page: how fast it may turn, and what to change");
   const auto options = std::make_shared<AdviseOptions>();
   add_machine_file(advise, options->machine);
-  advise->add_option("--out", options->out, "Folder for the page")
-      ->type_name("FOLDER")
-      ->capture_default_str();
+  add_value(advise, "--out", options->out, "Folder for the page", "FOLDER");
   options->asked.seconds = 300;  // for all parts of the page
   add_request(advise, options->asked);
   line.on_call(advise, [options] { return advise_machine(*options); });

@@ -29,10 +29,16 @@ std::string path_of(const OtherCommand& other) {
   return std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
 }
 
+std::string shell_quoted(std::string_view word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string output_of(const OtherCommand& other, const std::string& argument) {
-  std::string quoted;  // for the shell
-  for (const char c : path_of(other)) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  std::FILE* output = popen(fmt::format("'{}' '{}' 2>/dev/null", quoted, argument).c_str(), "re");
+  const std::string command =
+      fmt::format("{} {} 2>/dev/null", shell_quoted(path_of(other)), shell_quoted(argument));
+  std::FILE* output = popen(command.c_str(), "re");
   if (output == nullptr) return "";
   std::string text;
   char part[4096];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/app/command_line.h"
@@ -47,6 +48,9 @@ void add_other(CommandLine& line, const OtherCommand& other);
 
 /// Returns the path of that program: in the folder of this one.
 std::string path_of(const OtherCommand& other);
+
+/// In single quotes, as a shell reads it.
+std::string shell_quoted(std::string_view word);
 
 /// Returns the output of that program for this argument; empty if it fails.
 std::string output_of(const OtherCommand& other, const std::string& argument);

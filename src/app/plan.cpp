@@ -20,9 +20,11 @@
 #include "solvers/outside/outside.h"
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
+#include "src/app/other_program.h"
 #include "src/core/names.h"
 #include "src/core/progress.h"
 #include "src/experiment/planned_runs.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
@@ -39,62 +41,23 @@ struct PlanOptions {
   int jobs = 8;
 };
 
-/// Quotes any word for a shell.
-std::string in_shell_quotes(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
-}
-
-Json json_of(const OptionValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? Json(*number) : Json(one_line(std::get<std::string>(value)));
-}
-
-std::string value_in_words(const Json& value) {
-  return value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
-}
-
-/// Describes a solver with options and the options that can still be set; if it has many, only
-/// those that are set.
-Json varied_solver(const VariedSolver& varied) {
+/// The options of a solver that are set and those that can still be; if it has many, only those
+/// that are set.
+Table option_table(const VariedSolver& varied) {
   constexpr std::size_t few = 20;
+  Table table{"options", columns_named("name,value,usual,range")};
   const std::vector<SolverOption> known = ricochet::options_of(varied.of);
-  Json options = Json::array();
   for (const SolverOption& option : known) {
     const auto given = varied.options.find(option.name);
-    const bool is_given = given != varied.options.end();
-    if (!is_given && known.size() > few) continue;
-    options.push_back({{"name", option.name},
-                       {"value", is_given ? json_of(given->second) : Json()},
-                       {"usual", option.usual},
-                       {"range", option.allowed()}});
+    Value value;
+    if (given != varied.options.end()) {
+      const auto* number = std::get_if<double>(&given->second);
+      value = number != nullptr ? Value(*number) : one_line(std::get<std::string>(given->second));
+    }
+    if (is_missing(value) && known.size() > few) continue;
+    table.add(option.name, value, option.usual, option.allowed());
   }
-  return {{"name", varied.name},
-          {"of", varied.of},
-          {"options", std::move(options)},
-          {"known_options", known.size()}};
-}
-
-std::string described(const Json& varied) {
-  std::string words = fmt::format("{}: {} with", varied["name"].get<std::string>(),
-                                  varied["of"].get<std::string>());
-  for (const Json& option : varied["options"]) {
-    const std::string usual = option["usual"].get<std::string>();
-    const bool given = !option["value"].is_null();
-    words += fmt::format("\n  {} = {}{}; {}", option["name"].get<std::string>(),
-                         given ? value_in_words(option["value"]) : usual,
-                         given ? fmt::format(", not {}", usual) : ", as usual",
-                         option["range"].get<std::string>());
-  }
-  const auto left = varied["known_options"].get<std::size_t>() - varied["options"].size();
-  return left > 0 ? words + fmt::format("\n  {} more options, as usual", left) : words;
+  return table;
 }
 
 int new_plan() {
@@ -111,17 +74,24 @@ int check_plan(const PlanOptions& options) {
   size["elapsed_seconds"] = forecast.seconds(cores());
   size["at_least"] = forecast.at_least;
   size["cores"] = cores();
-  Json with_options = Json::array();
-  for (const VariedSolver& v : campaign.plan().solvers) {
-    with_options.push_back(varied_solver(v));
-  }
-  size["varied_solvers"] = with_options;
+  const std::vector<VariedSolver>& varied = campaign.plan().solvers;
+  size["varied_solvers"] = report::list_of(varied, [](const VariedSolver& v) {
+    return Json{{"name", v.name},
+                {"of", v.of},
+                {"options", json_rows_of(option_table(v))},
+                {"known_options", ricochet::options_of(v.of).size()}};
+  });
   size["programs"] = programs;
   if (options.json) {
     fmt::print("{}\n", size.dump(2));
   } else {
     fmt::print("{}; {}\n", in_words(size), in_words(forecast, cores()));
-    for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
+    for (const VariedSolver& v : varied) {
+      const Table table = option_table(v);
+      fmt::print("{}: {} with {} of {} options:\n", v.name, v.of, table.rows.size(),
+                 ricochet::options_of(v.of).size());
+      print(table, false);
+    }
     for (const std::string& program : programs) {
       fmt::print("run would start: {}\n", one_line(program));
     }
@@ -154,7 +124,7 @@ int slurm_script(const PlanOptions& options) {
         "run.\n";
   fmt::print("{}", report::with_slots(
                        embedded::slurm_template,
-                       {{"plan", in_shell_quotes(plan)},
+                       {{"plan", shell_quoted(plan)},
                         {"jobs", std::to_string(jobs)},
                         {"notes", notes},
                         {"allow", programs.empty() ? "" : " --allow-programs"},
@@ -190,11 +160,9 @@ Plan plan_named(const std::string& name) {
 }
 
 void add_plan_file(CLI::App* command, std::string& plan) {
-  command
-      ->add_option(
-          "plan", plan,
-          "A plan file (TOML), - for standard input; or quick, default, studies, reference, full")
-      ->type_name("PLAN:{quick,default,studies,reference,full}")
+  add_value(command, "plan", plan,
+            "A plan file (TOML), - for standard input; or quick, default, studies, reference, full",
+            "PLAN:{quick,default,studies,reference,full}")
       ->required();
 }
 
@@ -216,8 +184,7 @@ void add_plan(CommandLine& line) {
   add_sample(line, command);
   CLI::App* slurm = line.add_part(command, "slurm", "Print a job script for Slurm");
   add_plan_file(slurm, options->plan);
-  slurm->add_option("--jobs", options->jobs, "Number of jobs, of one core each")
-      ->capture_default_str();
+  add_value(slurm, "--jobs", options->jobs, "Number of jobs, of one core each");
   line.on_call(slurm, [options] { return slurm_script(*options); });
 }
 

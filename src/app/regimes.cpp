@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +19,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/core/names.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
@@ -75,7 +73,7 @@ int regimes(const RegimesOptions& options) {
   if (!options.over.empty()) return regime_curves(options);
   if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  refuse_same_files({{"--plot", options.plot}}, {options.scene.scene_file});
   const auto found = limited(
       options.seconds,
       [&]() -> std::vector<carrier_track::Regime> {
@@ -96,7 +94,7 @@ int regimes(const RegimesOptions& options) {
     plot = report::plot_of(
         {staircase_chart(drawn, chosen.name + ": collisions a turn in the long run", {})});
   }
-  if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
+  write_files({{options.plot, plot.svg}});
   if (options.json) {
     print(regime_table(found), true);
   } else {
@@ -129,21 +127,15 @@ void add_regimes(CommandLine& line) {
   add_scene_choice(command, options->scene);
   add_format(command, options->json);
   add_seconds(command, options->seconds);
-  command->add_option("--from", options->range.from, "Start of the speed range [rad/s]")
-      ->capture_default_str();
-  command->add_option("--to", options->range.to, "End of the speed range [rad/s]")
-      ->capture_default_str();
-  command
-      ->add_option("--plot", options->plot,
-                   "SVG file for a chart of the collisions a turn; with --over: for a map")
-      ->type_name("FILE");
+  add_value(command, "--from", options->range.from, "Start of the speed range [rad/s]");
+  add_value(command, "--to", options->range.to, "End of the speed range [rad/s]");
+  add_value(command, "--plot", options->plot,
+            "SVG file for a chart of the collisions a turn; with --over: for a map", "FILE");
   CLI::Option* over =
-      command
-          ->add_option(
-              "--over", options->over,
-              "Follow every border over a constant: " +
-                  fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")))
-          ->type_name("CONSTANT=FROM..TO");
+      add_value(command, "--over", options->over,
+                "Follow every border over a constant: " +
+                    fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")),
+                "CONSTANT=FROM..TO");
   command
       ->add_option(
           "--values", options->values,
@@ -151,8 +143,8 @@ void add_regimes(CommandLine& line) {
                       "under a disturbance, where each takes up to some seconds",
                       carrier_track::usual_values, carrier_track::few_values))
       ->needs(over);
-  command->add_option("--csv", options->csv, "CSV file for the points of the borders, in SI units")
-      ->type_name("FILE")
+  add_value(command, "--csv", options->csv, "CSV file for the points of the borders, in SI units",
+            "FILE")
       ->needs(over);
   CLI::Option* starts =
       command
@@ -161,9 +153,7 @@ void add_regimes(CommandLine& line) {
           ->excludes(over);
   command->add_option("--omega", options->omega, "That speed [rad/s], in place of the scene's")
       ->needs(starts);
-  command->add_option("--seed", options->sampled.seed, "Seed of the random starts")
-      ->capture_default_str()
-      ->needs(starts);
+  add_value(command, "--seed", options->sampled.seed, "Seed of the random starts")->needs(starts);
   command
       ->add_option("--height", options->sampled.height,
                    "Highest start [m] above the lower wall; default: the clearance")
@@ -223,20 +213,15 @@ report::Plot plot_of(const ChosenScene& chosen, const RegimeMap& map, const Show
 
 int regime_curves(const RegimesOptions& options) {
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
+  refuse_same_files({{"--csv", options.csv}, {"--plot", options.plot}}, {options.scene.scene_file});
   const ConstantRange range = constant_range_of(options.over);
   const RegimeMap map = limited(options.seconds, [&] {
     return regime_map(chosen.scene,
                       {range.constant, range.from, range.to, options.values, options.range});
   });
-  std::deque<TextDraft> drafts;
-  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(point_table(map)));
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, map, range.unit);
-  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  for (TextDraft& draft : drafts) draft.commit();
+  write_files({{options.csv, csv_of(point_table(map))}, {options.plot, plot.svg}});
   if (options.json) {
     report::Json json = {{"machine", chosen.name}};
     json.update(json_of(map));

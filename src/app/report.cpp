@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -103,10 +104,9 @@ void add_report(CommandLine& line) {
                "  ricochet report reports\n"
                "  ricochet report reports/reference --out elsewhere");
   const auto options = std::make_shared<ReportOptions>();
-  command->add_option("folder", options->from, "Folder of data.json, or of the reports")
-      ->type_name("FOLDER")
+  add_value(command, "folder", options->from, "Folder of data.json, or of the reports", "FOLDER")
       ->required();
-  command->add_option("--out", options->out, "Another folder for the pages")->type_name("FOLDER");
+  add_value(command, "--out", options->out, "Another folder for the pages", "FOLDER");
   line.on_call(command, [options] { return draw_again(*options); });
 }
 
@@ -136,11 +136,9 @@ void add_site(CommandLine& line) {
                "  ricochet site --out pages\n"
                "  ricochet site reports --out pages");
   const auto options = std::make_shared<SiteOptions>();
-  command->add_option("folder", options->from, "Folder of the reports")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Folder for the site: new, empty or an earlier site")
-      ->type_name("FOLDER")
+  add_value(command, "folder", options->from, "Folder of the reports", "FOLDER");
+  add_value(command, "--out", options->out, "Folder for the site: new, empty or an earlier site",
+            "FOLDER")
       ->required();
   line.on_call(command, [options] { return write_site(*options); });
 }
@@ -220,15 +218,11 @@ void add_export(CommandLine& line) {
       line.add("export", "Export a store: tables, IOHanalyzer, COCO",
                examples + "For Parquet, convert the CSV files, for instance with DuckDB.");
   const auto options = std::make_shared<ExportOptions>();
-  command->add_option("store", options->store, "A store, runs.sqlite")
-      ->type_name("FILE")
+  add_value(command, "store", options->store, "A store, runs.sqlite", "FILE")->required();
+  add_value(command, "--format", options->format, "One of these formats",
+            fmt::format("FORMAT:{{{}}}", fmt::join(names, ",")))
       ->required();
-  command->add_option("--format", options->format, "One of these formats")
-      ->type_name(fmt::format("FORMAT:{{{}}}", fmt::join(names, ",")))
-      ->required();
-  command->add_option("--out", options->out, "Folder, new or empty")
-      ->type_name("FOLDER")
-      ->required();
+  add_value(command, "--out", options->out, "Folder, new or empty", "FOLDER")->required();
   line.on_call(command, [options] { return export_store(*options); });
 }
 
@@ -244,10 +238,25 @@ bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 }  // namespace
 
-void refuse_same_file(const char* option, const std::string& file, const std::string& other,
-                      const char* what) {
-  if (file.empty() || other.empty() || !are_same(file, other)) return;
-  throw InputError(fmt::format("{} {}: must be another file than {}", option, file, what));
+void refuse_same_files(const std::vector<AskedFile>& asked,
+                       const std::vector<std::string>& inputs) {
+  std::vector<std::pair<std::string, std::string>> taken;  // files, and what they are
+  for (const std::string& input : inputs) taken.emplace_back(input, "the input " + input);
+  for (const auto& [option, file] : asked) {
+    for (const auto& [other, what] : taken) {
+      if (file.empty() || other.empty() || !are_same(file, other)) continue;
+      throw InputError(fmt::format("{} {}: must be another file than {}", option, file, what));
+    }
+    taken.emplace_back(file, fmt::format("that of {}", option));
+  }
+}
+
+void write_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::deque<TextDraft> drafts;
+  for (const auto& [file, text] : files) {
+    if (!file.empty() && !text.empty()) drafts.emplace_back(file, text);
+  }
+  for (TextDraft& draft : drafts) draft.commit();
 }
 
 }  // namespace ricochet::cli

@@ -40,16 +40,16 @@ ChosenScene own_machine(std::string name, SceneFile source, const SceneChoice& c
 void add_scene_choice(CLI::App* command, SceneChoice& choice) {
   std::vector<std::string> cases;
   for (const Case& a_case : all_cases()) cases.push_back(a_case.id);
-  command->add_option("--case", choice.case_id, "A case of the paper")
-      ->type_name(fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
-  command->add_option("--scene", choice.scene_file, "A machine file (TOML); - is standard input")
-      ->type_name("FILE");
+  add_value(command, "--case", choice.case_id, "A case of the paper",
+            fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
+  add_value(command, "--scene", choice.scene_file, "A machine file (TOML); - is standard input",
+            "FILE");
   add_settings(command, choice.settings);
 }
 
 void add_machine_file(CLI::App* command, SceneChoice& choice) {
-  command->add_option("file", choice.scene_file, "A machine file (TOML); - is standard input")
-      ->type_name("FILE")
+  add_value(command, "file", choice.scene_file, "A machine file (TOML); - is standard input",
+            "FILE")
       ->required();
   add_settings(command, choice.settings);
 }

@@ -25,9 +25,7 @@ Table impact_table(std::span<const carrier_track::Impact> impacts) {
 std::shared_ptr<StudyOptions> add_study_options(CLI::App* command, const studies::Study& study) {
   auto options = std::make_shared<StudyOptions>(StudyOptions{false, "reports/" + study.name});
   if (!study.quick.empty()) command->add_flag("--quick", options->quick, study.quick);
-  command->add_option("--out", options->out, "Folder for the report")
-      ->type_name("FOLDER")
-      ->capture_default_str();
+  add_value(command, "--out", options->out, "Folder for the report", "FOLDER");
   return options;
 }
 
@@ -40,28 +38,23 @@ void add_format(CLI::App* command, bool& json) {
 }
 
 void add_settings(CLI::App* command, std::vector<std::string>& settings) {
-  command
-      ->add_option("--set", settings,
-                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
-                   "repeated")
-      ->type_name("KEY=VALUE")
+  add_value(command, "--set", settings,
+            "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
+            "repeated",
+            "KEY=VALUE")
       ->allow_extra_args(false);
 }
 
 void add_scene_file(CLI::App* command, std::string& file, std::vector<std::string>& settings) {
-  command
-      ->add_option("--scene", file,
-                   "A machine file (TOML): problems of this machine, whose names end in -scene")
-      ->type_name("FILE");
+  add_value(command, "--scene", file,
+            "A machine file (TOML): problems of this machine, whose names end in -scene", "FILE");
   add_settings(command, settings);
 }
 
 void add_limits(CLI::App* command, Limits& limits) {
-  command
-      ->add_option("--run-seconds", limits.seconds, "Longest time of a run [s]; then it is killed")
-      ->capture_default_str();
-  command->add_option("--run-megabytes", limits.megabytes, "Most memory of a run [MB]")
-      ->capture_default_str();
+  add_value(command, "--run-seconds", limits.seconds,
+            "Longest time of a run [s]; then it is killed");
+  add_value(command, "--run-megabytes", limits.megabytes, "Most memory of a run [MB]");
 }
 
 void add_allowance(CLI::App* command, bool& allowed) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <set>
 #include <span>
@@ -18,7 +17,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/table.h"
@@ -117,7 +115,7 @@ void print_json(const Recording& recording) {
 }
 
 Table path_table(const Recording& recording) {
-  Table table{"path", {{"time_s"}, {"position_m"}, {"velocity_m_per_s"}}};
+  Table table{"path", columns_named("time_s,position_m,velocity_m_per_s")};
   for (const Sample& s : recording.path) table.add(s.time, s.position, s.velocity);
   return table;
 }
@@ -195,13 +193,6 @@ void print(const ChosenScene& chosen, const Recording& recording,
   print_features(chosen.scene, recording);
 }
 
-/// Throws InputError if a file would overwrite the scene, or the other file.
-void refuse_same_files(const SimulateOptions& options) {
-  refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
-}
-
 int simulate(const SimulateOptions& options) {
   ChosenScene chosen = choose_scene(options.scene);
   if (options.omega) {
@@ -215,7 +206,7 @@ int simulate(const SimulateOptions& options) {
   if (!(options.smoothing > 0 && std::isfinite(options.smoothing))) {
     throw InputError(fmt::format("--smoothing {}: must be a finite number > 0", options.smoothing));
   }
-  refuse_same_files(options);
+  refuse_same_files({{"--csv", options.csv}, {"--plot", options.plot}}, {options.scene.scene_file});
   const bool path = !options.csv.empty() || !options.plot.empty();
   Recording recording;
   std::optional<Anatomy> anatomy;
@@ -223,12 +214,10 @@ int simulate(const SimulateOptions& options) {
     recording = carrier_track::simulate(chosen.scene, options.smoothing, path ? 2000 : 0);
     if (!options.json) anatomy = anatomy_in_time(chosen.scene, recording);
   });
-  std::deque<TextDraft> drafts;
-  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(path_table(recording)));
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, recording);
-  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  for (TextDraft& draft : drafts) draft.commit();
+  write_files({{options.csv, options.csv.empty() ? "" : csv_of(path_table(recording))},
+               {options.plot, plot.svg}});
   if (options.json) {
     print_json(recording);
   } else {
@@ -260,12 +249,10 @@ void add_simulate(CommandLine& line) {
   command
       ->add_option("--fidelity", options->fidelity, "Level of the model, in place of the scene's")
       ->check(CLI::IsMember(levels));
-  command->add_option("--smoothing", options->smoothing, "Smoothing parameter of the surrogate")
-      ->capture_default_str();
-  command->add_option("--csv", options->csv, "CSV file for the path: time, position, velocity")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the path")
-      ->type_name("FILE");
+  add_value(command, "--smoothing", options->smoothing, "Smoothing parameter of the surrogate");
+  add_value(command, "--csv", options->csv, "CSV file for the path: time, position, velocity",
+            "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the path", "FILE");
   line.on_call(command, [options] { return simulate(*options); });
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,13 +16,14 @@
 #include "ricochet/solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
-#include "src/core/files.h"
+#include "src/app/report.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
 #include "src/experiment/perturbations.h"
 #include "src/experiment/worker.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 #include "src/report/text.h"
 #include "src/studies/suite/suite.h"
 
@@ -157,17 +157,18 @@ class StatedPoints {
   Problem seen_;
 };
 
-std::string trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
-  std::string text = "evaluations,seconds,objective,violation";
-  for (Eigen::Index i = 0; i < problem.dimension(); ++i) text += fmt::format(",x{}", i + 1);
-  text += "\n";
-  for (const Improvement& step : record.trace) {
-    text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.true_values.objective,
-                        step.true_values.violation);
-    for (const double x : stated.of(step.x)) text += fmt::format(",{}", x);
-    text += "\n";
+Table trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
+  Table table{"trace", columns_named("evaluations,seconds,objective,violation")};
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
+    table.columns.push_back({fmt::format("x{}", i + 1)});
   }
-  return text;
+  for (const Improvement& step : record.trace) {
+    std::vector<Value> row = {step.evaluations, step.seconds, step.true_values.objective,
+                              step.true_values.violation};
+    for (const double x : stated.of(step.x)) row.emplace_back(x);
+    table.add_row(std::move(row));
+  }
+  return table;
 }
 
 report::Plot plot_of(const RunRecord& record, const Problem& problem, const std::string& title) {
@@ -308,14 +309,10 @@ int solve(const SolveOptions& options) {
   if (Progress::redraws()) std::fputs("\r\033[K", stderr);
   const StatedPoints stated(options, asked.formulated(formulation), formulation_name);
   const Verdict verdict = judge(record, problem, asked.tolerance);
-  std::deque<TextDraft> drafts;
-  if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem, stated));
   report::Plot plot;
-  if (!options.plot.empty()) {
-    plot = plot_of(record, problem, solver.name + " on " + asked.name);
-    if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
-  }
-  for (TextDraft& draft : drafts) draft.commit();
+  if (!options.plot.empty()) plot = plot_of(record, problem, solver.name + " on " + asked.name);
+  write_files(
+      {{options.trace, csv_of(trace_of(record, problem, stated))}, {options.plot, plot.svg}});
   if (options.json) {
     fmt::print(
         "{}\n",
@@ -339,33 +336,24 @@ void add_solve(CommandLine& line) {
                "  ricochet solve ./mine.so count-C1\n"
                "  ricochet solve 'python3 mine.py' count-C1");
   const auto options = std::make_shared<SolveOptions>();
-  command
-      ->add_option("solver", options->solver,
-                   "A name of `ricochet list solvers`, a shared library or a program")
-      ->required()
-      ->type_name("SOLVER");
-  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
-      ->required()
-      ->type_name("PROBLEM");
+  add_value(command, "solver", options->solver,
+            "A name of `ricochet list solvers`, a shared library or a program", "SOLVER")
+      ->required();
+  add_value(command, "problem", options->problem, "A name of `ricochet list problems`", "PROBLEM")
+      ->required();
   add_scene_file(command, options->scene_file, options->settings);
   command->add_option("--formulation", options->formulation,
                       "Formulation of the problem; default: the first that the solver accepts");
   std::vector<std::string> perturbations;
   for (const Perturbation& known : all_perturbations()) perturbations.push_back(known.name);
-  command->add_option("--perturbation", options->perturbation, "Perturbation of the problem")
-      ->type_name(fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")))
-      ->capture_default_str();
-  command->add_option("--budget", options->budget, "Evaluations")->capture_default_str();
-  command
-      ->add_option("--instance", options->instance,
-                   "0: the original problem; 1, 2, ...: moved and reflected")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Number of the run, which gives its random numbers")
-      ->capture_default_str();
-  command->add_option("--trace", options->trace, "CSV file for the improvements")
-      ->type_name("FILE");
-  command->add_option("--plot", options->plot, "SVG file for a chart of the improvements")
-      ->type_name("FILE");
+  add_value(command, "--perturbation", options->perturbation, "Perturbation of the problem",
+            fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")));
+  add_value(command, "--budget", options->budget, "Evaluations");
+  add_value(command, "--instance", options->instance,
+            "0: the original problem; 1, 2, ...: moved and reflected");
+  add_value(command, "--seed", options->seed, "Number of the run, which gives its random numbers");
+  add_value(command, "--trace", options->trace, "CSV file for the improvements", "FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the improvements", "FILE");
   add_limits(command, options->limits);
   add_format(command, options->json);
   line.on_call(command, [options] { return solve(*options); });

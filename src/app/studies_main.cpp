@@ -72,9 +72,8 @@ void add_calibrate(CommandLine& line) {
       "--converge", options->converge,
       "Search the best interpretations longer, with three seeds and two solvers, until they "
       "agree");
-  command->add_option("--seed", options->seed, "Seed of the searches")->capture_default_str();
-  command->add_option("--solver", options->solver, "Solver that searches within the bounds")
-      ->capture_default_str();
+  add_value(command, "--seed", options->seed, "Seed of the searches");
+  add_value(command, "--solver", options->solver, "Solver that searches within the bounds");
   const auto study = add_study_options(command, studies::calibration_study(*options));
   line.on_call(command, [options, study] {
     options->folder = study->out;
@@ -149,31 +148,21 @@ void add_best_values(CommandLine& line) {
                "  ricochet best-values --problems 'robust-*-C4'\n"
                "  ricochet best-values --seconds 600  # and the same again, to go on");
   const auto options = std::make_shared<BestValuesOptions>();
-  command
-      ->add_option("--problems", options->problems,
-                   "A pattern such as robust-*-C4, or a part of the names")
-      ->type_name("PROBLEMS");
+  add_value(command, "--problems", options->problems,
+            "A pattern such as robust-*-C4, or a part of the names", "PROBLEMS");
   command->add_option("--seconds", options->seconds,
                       "Start no search after this time [s]; the same command continues");
-  command
-      ->add_option("--budget", options->budget,
-                   "Evaluations a variable of each search: 50 times those of a comparison")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "The file of the values")
-      ->type_name("FILE")
-      ->capture_default_str();
-  command
-      ->add_option("--from", options->from,
-                   "Instead: take the values of a store's runs that are better than those known")
-      ->type_name("STORE")
+  add_value(command, "--budget", options->budget,
+            "Evaluations a variable of each search: 50 times those of a comparison")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+  add_value(command, "--out", options->out, "The file of the values", "FILE");
+  add_value(command, "--from", options->from,
+            "Instead: take the values of a store's runs that are better than those known", "STORE")
       ->excludes("--problems", "--seconds", "--budget");
-  command
-      ->add_option(
-          "--hard-machines", options->hard_machines,
-          "Instead: search machines whose top speed in the window is hard to find, and write "
-          "this file")
-      ->type_name("FILE")
+  add_value(command, "--hard-machines", options->hard_machines,
+            "Instead: search machines whose top speed in the window is hard to find, and write "
+            "this file",
+            "FILE")
       ->excludes("--problems", "--seconds", "--budget", "--from", "--out");
   line.on_call(command, [options] { return best_values(*options); });
 }

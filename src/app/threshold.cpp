@@ -15,7 +15,6 @@
 #include "src/app/command_line.h"
 #include "src/app/report.h"
 #include "src/app/scene_choice.h"
-#include "src/core/files.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/table.h"
@@ -205,7 +204,7 @@ int threshold(const ThresholdOptions& options) {
   }
   const ChosenScene chosen = choose_scene(options.scene);
   carrier_track::check_constant_speed(chosen.scene, chosen.name);
-  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  refuse_same_files({{"--plot", options.plot}}, {options.scene.scene_file});
   const auto start = std::chrono::steady_clock::now();
   bool by_the_paper =
       !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
@@ -243,7 +242,7 @@ int threshold(const ThresholdOptions& options) {
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, output.answer);
-  if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
+  write_files({{options.plot, plot.svg}});
   if (options.json) {
     Json json = json_of(std::vector{chosen}, {score})[0];
     json.update(studies::advice::json_of(output));
@@ -268,8 +267,7 @@ void add_threshold(CommandLine& line) {
   add_format(command, options->json);
   command->add_flag("--all", options->all, "Every case of the paper");
   add_request(command, options->asked);
-  command->add_option("--plot", options->plot, "SVG file for a chart of the counts")
-      ->type_name("FILE");
+  add_value(command, "--plot", options->plot, "SVG file for a chart of the counts", "FILE");
   line.on_call(command, [options] { return threshold(*options); });
 }
 
@@ -302,8 +300,7 @@ std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
 
 void add_request(CLI::App* command, QuietSpeedRequest& asked) {
   add_seconds(command, asked.seconds);
-  command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
-      ->capture_default_str();
+  add_value(command, "--fastest", asked.fastest, "End of the speed range [rad/s]");
   command->add_option("--allow", asked.allow, "Limit: collisions in the window");
   command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions per turn");
   command->add_option("--allow-energy", asked.allow_energy,

@@ -168,11 +168,9 @@ void repeat(const std::vector<Drawn>& drawn) {
 }  // namespace
 
 void add_verification(CLI::App* command, Verification& verification) {
-  command
-      ->add_option("--verify", verification.runs,
-                   "Repeat so many runs, drawn at random, before any is taken; 0: none")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
+  add_value(command, "--verify", verification.runs,
+            "Repeat so many runs, drawn at random, before any is taken; 0: none")
+      ->check(CLI::Range(0, 1'000'000));
   add_allowance(command, verification.allow_programs);
 }
 
@@ -411,16 +409,13 @@ void add_replay(CommandLine& line) {
                                "  ricochet replay archive "
                                "top-speed-C1/count/plain/bisection/100/n/1/0");
   const auto options = std::make_shared<ReplayOptions>();
-  command
-      ->add_option("store", options->store,
-                   "A store, runs.sqlite; archive: that of the reference, which is included")
-      ->type_name("FILE")
+  add_value(command, "store", options->store,
+            "A store, runs.sqlite; archive: that of the reference, which is included", "FILE")
       ->required();
-  command
-      ->add_option("run", options->run,
-                   "Number of the run, or problem/formulation/perturbation/solver/budget/price/"
-                   "instance/seed, as a comparison's own view writes it")
-      ->type_name("RUN")
+  add_value(command, "run", options->run,
+            "Number of the run, or problem/formulation/perturbation/solver/budget/price/"
+            "instance/seed, as a comparison's own view writes it",
+            "RUN")
       ->required();
   add_allowance(command, options->allow_programs);
   add_format(command, options->json);
@@ -431,10 +426,8 @@ void add_merge(CommandLine& line) {
   CLI::App* command = line.add("merge", "Join the stores of a campaign's shards",
                                "  ricochet merge runs.sqlite part-*/runs.sqlite");
   const auto options = std::make_shared<MergeOptions>();
-  command->add_option("out", options->out, "The new store")->type_name("FILE")->required();
-  command->add_option("parts", options->parts, "Stores of the same campaign")
-      ->type_name("FILE")
-      ->required();
+  add_value(command, "out", options->out, "The new store", "FILE")->required();
+  add_value(command, "parts", options->parts, "Stores of the same campaign", "FILE")->required();
   add_verification(command, options->verification);
   line.on_call(command, [options] { return merge_stores(*options); });
 }
@@ -443,7 +436,7 @@ void add_digest(CommandLine& line) {
   CLI::App* command = line.add("digest", "Print a hash of a store's runs, times left out",
                                "  ricochet digest mine/runs.sqlite");
   const auto store = std::make_shared<std::string>();
-  command->add_option("store", *store, "A store, runs.sqlite")->type_name("FILE")->required();
+  add_value(command, "store", *store, "A store, runs.sqlite", "FILE")->required();
   line.on_call(command, [store] { return print_digest(*store); });
 }
 

@@ -453,9 +453,13 @@ std::string terminal_text(const PageSource& page, const Results& results) {
   std::string text;
   std::istringstream names(found->second);
   for (std::string name; std::getline(names, name, ',');) {
-    name = trimmed(name);
+    std::istringstream words(name);
+    words >> name;
+    std::vector<std::string> columns;
+    for (std::string column; words >> column;) columns.push_back(column);
     if (const ricochet::Table* table = results.table(name)) {
-      if (!table->rows.empty()) text += "\n" + terminal_text_of(*table);
+      if (table->rows.empty()) continue;
+      text += "\n" + terminal_text_of(columns.empty() ? *table : only(*table, columns));
     } else {
       const std::string line = filled_line("{{" + name + "}}", results);
       if (!line.empty()) text += line + "\n";

@@ -18,7 +18,8 @@ namespace ricochet::report {
 ///   question: ...             that it answers
 ///   command: ./ricochet ...   that makes it
 ///   finding: {{finding}}      the answer in a sentence, for other pages
-///   terminal: name, name      values and tables that end the command
+///   terminal: name, name      values and tables that end the command; a table may be followed by
+///                             those of its columns that a person needs
 ///   made_by: ...              the command, where it was another
 ///   ---
 ///   # Title

@@ -52,6 +52,16 @@ std::string text_of(const Value& value, std::string_view format) {
   return "";
 }
 
+std::vector<Column> columns_named(std::string_view names) {
+  std::vector<Column> columns;
+  for (std::size_t begin = 0; begin <= names.size();) {
+    const std::size_t end = std::min(names.find(',', begin), names.size());
+    columns.push_back({std::string(names.substr(begin, end - begin))});
+    begin = end + 1;
+  }
+  return columns;
+}
+
 const Value& Row::operator[](std::string_view column) const {
   return table_->rows[index_][table_->index_of(column)];
 }

@@ -70,6 +70,9 @@ struct Column {
   int digits = 6;           ///< significant digits that data.json keeps
 };
 
+/// Columns that have nothing but names, which are given with commas between.
+std::vector<Column> columns_named(std::string_view names);
+
 struct Table;
 
 /// A row of a table, which must outlive it. All functions throw std::logic_error for a column that
@@ -200,11 +203,14 @@ report::Json json_rows_of(const Table& table);
 /// and its rows alone are lines for any table.
 std::string latex_of(const Table& table, Lines lines = Lines::all);
 
+/// The text as one line, in which nothing is a command of LaTeX.
+std::string escape_latex(std::string_view text);
+
 /// As a GitHub table with the columns' titles and formats, texts to the left, at most `most` rows.
 std::string markdown_of(const Table& table, std::size_t most = SIZE_MAX, Lines lines = Lines::all);
 
-/// For a terminal: aligned columns, two blanks between them; units, such as [m/s], stand below the
-/// titles. Lines longer than `width` bytes are cut and end in "...".
+/// For a terminal: aligned columns, two blanks between them; titles are broken into lines where the
+/// cells are narrow. Lines longer than `width` bytes are cut and end in "...".
 std::string terminal_text_of(const Table& table, std::size_t width = SIZE_MAX);
 
 }  // namespace ricochet

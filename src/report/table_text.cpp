@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "src/core/csv.h"
@@ -28,30 +29,6 @@ std::string csv_cell(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "1" : "0";
   return csv_field(label(one_line(text_of(value))));
-}
-
-/// The text as one line, in which nothing is a command of LaTeX.
-std::string escape_latex(std::string_view text) {
-  // After the end of a row LaTeX would read [ and * as part of it.
-  static const std::map<char, std::string> escapes = {{'\\', "\\textbackslash{}"},
-                                                      {'~', "\\textasciitilde{}"},
-                                                      {'^', "\\textasciicircum{}"},
-                                                      {'<', "\\textless{}"},
-                                                      {'>', "\\textgreater{}"},
-                                                      {'|', "\\textbar{}"},
-                                                      {'"', "\\textquotedbl{}"},
-                                                      {'\'', "\\textquotesingle{}"},
-                                                      {'`', "\\textasciigrave{}"},
-                                                      {'[', "{[}"},
-                                                      {'*', "{*}"}};
-  std::string tex;
-  for (const char c : one_line(text)) {
-    const auto found = escapes.find(c);
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) tex += '\\';
-    if (c == '-' && tex.ends_with('-')) tex += "{}";  // two of them would be one dash
-    tex += found == escapes.end() ? std::string(1, c) : found->second;
-  }
-  return tex;
 }
 
 /// A table as lines.
@@ -97,6 +74,29 @@ Written written(const Table& table, const Marks& marks, const Escape& escaped, s
 }
 
 }  // namespace
+
+std::string escape_latex(std::string_view text) {
+  // After the end of a row LaTeX would read [ and * as part of it.
+  static const std::map<char, std::string> escapes = {{'\\', "\\textbackslash{}"},
+                                                      {'~', "\\textasciitilde{}"},
+                                                      {'^', "\\textasciicircum{}"},
+                                                      {'<', "\\textless{}"},
+                                                      {'>', "\\textgreater{}"},
+                                                      {'|', "\\textbar{}"},
+                                                      {'"', "\\textquotedbl{}"},
+                                                      {'\'', "\\textquotesingle{}"},
+                                                      {'`', "\\textasciigrave{}"},
+                                                      {'[', "{[}"},
+                                                      {'*', "{*}"}};
+  std::string tex;
+  for (const char c : one_line(text)) {
+    const auto found = escapes.find(c);
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) tex += '\\';
+    if (c == '-' && tex.ends_with('-')) tex += "{}";  // two of them would be one dash
+    tex += found == escapes.end() ? std::string(1, c) : found->second;
+  }
+  return tex;
+}
 
 std::string csv_of(const Table& table, Lines lines) {
   return written(
@@ -145,45 +145,58 @@ std::string markdown_of(const Table& table, std::size_t most, Lines lines) {
 
 namespace {
 
-/// A title without its unit, and the unit: "speed" and "[m/s]" of "speed [m/s]".
-std::pair<std::string, std::string> title_and_unit(const Column& column) {
-  const std::string& title = title_of(column);
-  const std::size_t unit = title.ends_with(']') ? title.rfind(" [") : std::string::npos;
-  if (unit == std::string::npos) return {title, ""};
-  return {title.substr(0, unit), title.substr(unit + 1)};
-}
-
 /// Columns of a terminal, as fmt counts them when it pads: one for a letter of several bytes.
-std::size_t columns_of(std::string_view text) {
+std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// A title in lines no wider than `room` or its widest word.
+std::vector<std::string> in_lines(const std::string& title, std::size_t room) {
+  std::vector<std::string> words;
+  std::istringstream text(title);
+  for (std::string word; text >> word;) words.push_back(word);
+  for (const std::string& word : words) room = std::max(room, width_of(word));
+  std::vector<std::string> lines(1);
+  for (const std::string& word : words) {
+    std::string& last = lines.back();
+    if (last.empty()) {
+      last = word;
+    } else if (width_of(last) + 1 + width_of(word) <= room) {
+      last += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
 }
 
 }  // namespace
 
 std::string terminal_text_of(const Table& table, std::size_t width) {
-  std::vector<std::vector<std::string>> lines(2);
-  bool has_units = false;
-  for (const Column& column : table.columns) {
-    const auto [title, unit] = title_and_unit(column);
-    lines[0].push_back(title);
-    lines[1].push_back(unit);
-    has_units = has_units || !unit.empty();
-  }
-  if (!has_units) lines.pop_back();
-  for (const auto& row : table.rows) {
-    std::vector<std::string>& line = lines.emplace_back();
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line.push_back(one_line(text_of(row[k], table.columns[k].format)));
-    }
-  }
-  std::vector<std::string> padded(lines.size());
+  std::vector<std::vector<std::string>> columns;
+  std::size_t height = 0;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     std::size_t widest = 0;
-    for (const auto& line : lines) widest = std::max(widest, columns_of(line[k]));
-    const char* const form = is_left(table, k) ? "{}{:<{}}" : "{}{:>{}}";
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      padded[i] += fmt::format(fmt::runtime(form), k > 0 ? "  " : "", lines[i][k], widest);
+    std::vector<std::string> cells;
+    for (const auto& row : table.rows) {
+      cells.push_back(one_line(text_of(row[k], table.columns[k].format)));
+      widest = std::max(widest, width_of(cells.back()));
+    }
+    std::vector<std::string>& lines =
+        columns.emplace_back(in_lines(title_of(table.columns[k]), widest));
+    lines.insert(lines.end(), cells.begin(), cells.end());
+    for (const std::string& line : lines) widest = std::max(widest, width_of(line));
+    const char* const form = is_left(table, k) ? "{:<{}}" : "{:>{}}";
+    for (std::string& line : lines) line = fmt::format(fmt::runtime(form), line, widest);
+    height = std::max(height, lines.size());
+  }
+  std::vector<std::string> padded(height);
+  for (const auto& lines : columns) {
+    const std::size_t above = height - lines.size();
+    for (std::size_t i = 0; i < height; ++i) {
+      if (&lines != &columns.front()) padded[i] += "  ";
+      padded[i] += i < above ? std::string(width_of(lines.front()), ' ') : lines[i - above];
     }
   }
   constexpr std::string_view cut = "...";

@@ -173,9 +173,10 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
       "[[part]]\nproblems = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
   const auto plan = write(folder_, "options.toml", text);
   EXPECT_THAT(out_of("plan check " + plan.string()),
-              HasSubstr("bbfwa-40: bbfwa with\n"
-                        "  sparks = 40, not 300; a whole number from 1 to 1000000\n"
-                        "  growth = 1.2, as usual; a number from 1 to 1000\n"));
+              testing::AllOf(
+                  HasSubstr("bbfwa-40: bbfwa with "),
+                  testing::ContainsRegex("\nsparks +40 +300 +a whole number from 1 to 1000000\n"),
+                  testing::ContainsRegex("\ngrowth +1.2 +a number from 1 to 1000\n")));
   out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "options").string()));
   EXPECT_THAT(read(folder_ / "options/solvers/index.html"), HasSubstr("sparks 40"));
   for (const int number : {1, 2, 3, 4}) {

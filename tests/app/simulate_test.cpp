@@ -153,9 +153,9 @@ TEST(Simulate, NeverWritesOverItsInput) {
       const auto file =
           (folder / std::regex_replace(name, std::regex("Simulate"), folder.filename().string()))
               .string();
-      expect_refusal("simulate --scene " + scene.string() + " " + option + file, "the scene");
+      expect_refusal("simulate --scene " + scene.string() + " " + option + file, "the input");
       expect_refusal("simulate --scene " + (folder / "link").string() + " " + option + file,
-                     "the scene");
+                     "the input");
     }
   }
   EXPECT_EQ(read(scene), text);

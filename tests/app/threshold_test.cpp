@@ -48,6 +48,17 @@ TEST(Threshold, PrintsTheJsonOfTheContractForEveryCase) {
   EXPECT_EQ(json[1]["examples"][0]["side"], "quiet");
 }
 
+TEST(Threshold, PrintsARowForEveryCase) {
+  const std::string out = call("threshold --all --fastest 3").out;
+  const auto json = ordered_json::parse(call("threshold --all --fastest 3 --format json").out);
+  for (const auto& row : json) {
+    const std::string threshold =
+        row["threshold"].is_null() ? "" : fmt::format("{:.4f}", row["threshold"].get<double>());
+    EXPECT_THAT(out, testing::ContainsRegex(
+                         fmt::format("\n{} +{} ", row["case"].get<std::string>(), threshold)));
+  }
+}
+
 TEST(Threshold, OfOneSceneIsOneObject) {
   const auto json = ordered_json::parse(call("threshold --case C2 --fastest 3 --format json").out);
   EXPECT_EQ(json["case"], "C2");
@@ -221,7 +232,7 @@ TEST(Threshold, NeverDrawsOverItsInput) {
   std::filesystem::create_symlink(scene, folder / "link");
   for (const char* name : {"machine.toml", "link"}) {
     expect_refusal("threshold --scene " + scene.string() + " --plot " + (folder / name).string(),
-                   "the scene");
+                   "the input");
   }
   EXPECT_EQ(read(scene), text);
   expect_refusal("threshold --case C1 --fastest 2 --plot " + (scene / "steps.svg").string(),

@@ -124,9 +124,10 @@ TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
   EXPECT_THAT(markdown_of(table), HasSubstr("| c\\|\\_% | r,s | 0.33 | yes |\n"));
   EXPECT_THAT(latex_of(table), HasSubstr("c\\textbar{}\\_\\% & r,s & 0.33 & yes \\\\\n"));
   EXPECT_THAT(latex_of(table), testing::StartsWith("\\begin{tabular}{llrr}\n"));
+  table.columns[0].title = "the solver";
   EXPECT_THAT(terminal_text_of(where(table, "solver", value_of("a"))),
-              testing::StrEq("solver  problem    gap  solved\n"
-                             "                 [m/s]\n"
+              testing::StrEq("the                gap\n"
+                             "solver  problem  [m/s]  solved\n"
                              "a       p         1.25      no\n"
                              "a       q                  yes\n"));
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <concepts>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,43 +11,31 @@
 #include <vector>
 
 #include "ricochet/evaluator.h"
-#include "src/analysis/export/ioh_and_coco.h"
 #include "src/analysis/export/output.h"
-#include "src/analysis/export/tables.h"
 #include "src/analysis/outcomes.h"
-#include "src/core/csv.h"
 #include "src/core/names.h"
 #include "src/experiment/run_rows.h"
 #include "src/experiment/stored_fields.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 
 namespace ricochet {
 
 RICOCHET_FIELDS(Verdict, feasible, objective, optimality_gap, solved, evaluations_to_solve,
                 seconds_to_solve, returned_optimality_gap, returned_solved);
 
+/// As in the store's table of them.
+static const EnumNames<TerminationReason>& names_of(TerminationReason /*reason*/) {
+  static const EnumNames<TerminationReason> names = {
+      {"none", TerminationReason::none},       {"evaluations", TerminationReason::evaluations},
+      {"seconds", TerminationReason::seconds}, {"bad point", TerminationReason::bad_point},
+      {"failure", TerminationReason::failure}, {"paused", TerminationReason::paused}};
+  return names;
+}
+
 }  // namespace ricochet
 
 namespace ricochet::exports {
-
-/// The name of a termination reason, as in the store's table of them.
-constexpr const char* name_of(TerminationReason termination_reason) {
-  switch (termination_reason) {
-    case TerminationReason::none:
-      return "none";
-    case TerminationReason::evaluations:
-      return "evaluations";
-    case TerminationReason::seconds:
-      return "seconds";
-    case TerminationReason::bad_point:
-      return "bad point";
-    case TerminationReason::failure:
-      return "failure";
-    case TerminationReason::paused:
-      return "paused";
-  }
-  return "";
-}
 
 std::vector<Format> all_formats() {
   return {{"csv", "runs.csv, points.csv, running_times.csv, ratings.csv, ecdf.csv and others",
@@ -99,32 +86,16 @@ if the problem's hash is the same.
 For Parquet, use DuckDB: COPY 'runs.csv' TO 'runs.parquet'.
 )";
 
-std::string cell_of(bool value) {
-  return value ? "1" : "0";
-}
-std::string cell_of(double value) {
-  return number(value);
-}
-std::string cell_of(const std::string& text) {
-  return label_of(text);
-}
-template <std::integral Integer>
-std::string cell_of(Integer value) {
-  return std::to_string(value);
-}
-template <class T>
-std::string cell_of(const std::optional<T>& value) {
-  return value ? cell_of(*value) : "";
-}
-std::string cell_of(const std::vector<SolverTermination>& terminations) {
+/// "tolerance reached (x2); stalled (x1)"
+std::string text_of(const std::vector<SolverTermination>& terminations) {
   std::string text;
   for (const RepeatedTermination& exit : repeated(terminations)) {
     text += fmt::format("{}{} (x{})", text.empty() ? "" : "; ", exit.reason, exit.starts);
   }
-  return label_of(text);
+  return text;
 }
 
-/// Calls use(column, text) for every column of runs.csv.
+/// Calls use(column, cell) for every column of runs.csv.
 template <class Use>
 void each_cell(const comparison::JudgedRun& run, const Use& use) {
   const RunRecord& record = run.stored.record;
@@ -135,9 +106,9 @@ void each_cell(const comparison::JudgedRun& run, const Use& use) {
   use("evaluations_allowed", cell_of(record.budget.evaluations));
   use("seconds_allowed", cell_of(record.budget.seconds));
   visit_fields(field, record.ledger);
-  use("termination_reason", std::string(name_of(record.termination_reason)));
+  use("termination_reason", cell_of(record.termination_reason));
   use("failure", cell_of(record.failure));
-  use("terminations", cell_of(record.terminations));
+  use("terminations", cell_of(text_of(record.terminations)));
   std::optional<double> objective, violation;
   if (record.returned) {
     objective = record.returned->true_values.objective;
@@ -154,104 +125,81 @@ void each_cell(const comparison::JudgedRun& run, const Use& use) {
       run.outcome.verdict);
 }
 
-std::vector<std::string> columns_of_runs() {
+std::vector<Column> columns_of_runs() {
   const StoredRun none{};
-  std::vector<std::string> names;
+  std::vector<Column> columns;
   each_cell({StoredProblem(), none, comparison::Outcome()},
-            [&](std::string_view name, const std::string&) { names.emplace_back(name); });
-  return names;
+            [&](std::string_view name, const Value&) { columns.push_back({std::string(name)}); });
+  return columns;
 }
 
-void write_problems(const CampaignDescription& description, const std::filesystem::path& file) {
+Table problem_table(const CampaignDescription& description) {
   std::set<std::string> factors;
   for (const StoredProblem& problem : description.problems) {
     for (const auto& [name, value] : problem.factors) factors.insert(name);
   }
+  Table table{"problems"};
   const StoredProblem none;
-  std::vector<std::string> header;
-  visit_columns([&](const Field& column, const auto&) { header.emplace_back(column.key); }, none);
-  header.front() = "problem";
-  for (const std::string& factor : factors) header.push_back(one_line(factor));
-  std::string text = csv_row(header);
+  visit_columns(
+      [&](const Field& column, const auto&) { table.columns.push_back({std::string(column.key)}); },
+      none);
+  table.columns.front().name = "problem";
+  for (const std::string& factor : factors) table.columns.push_back({factor});
   for (const StoredProblem& problem : description.problems) {
-    std::vector<std::string> row;
+    std::vector<Value> row;
     visit_columns([&](const Field&, const auto& x) { row.push_back(cell_of(x)); }, problem);
     for (const std::string& factor : factors) {
       const auto value = problem.factors.find(factor);
-      row.push_back(value == problem.factors.end() ? "" : number(value->second));
+      row.push_back(value == problem.factors.end() ? Value() : cell_of(value->second));
     }
-    text += csv_row(row);
+    table.add_row(std::move(row));
   }
-  write_file(file, text);
+  return table;
 }
 
-void write_completeness(const Completeness& completeness, const std::filesystem::path& file) {
-  std::string text = csv_row({"part", "planned", "present", "missing"});
-  const auto add = [&](const std::string& name, std::int64_t planned, std::int64_t present) {
-    text += csv_row({label_of(name), std::to_string(planned), std::to_string(present),
-                     std::to_string(planned - present)});
-  };
-  add("all", completeness.planned, completeness.present);
-  for (const Completeness::Part& part : completeness.parts) {
-    add(part.name, part.planned, part.present);
+Table completeness_table(const Completeness& completeness) {
+  Table table{"completeness", columns_named("part,planned,present,missing")};
+  for (const auto& [name, planned, present] : completeness.parts) {
+    table.add(name, planned, present, planned - present);
   }
-  write_file(file, text);
+  return table;
 }
 
-/// The points of runs, as rows of as many coordinates as the largest problem has.
-class Points {
- public:
-  Points(const CampaignDescription& description, const std::filesystem::path& file) : file_(file) {
-    std::vector<std::string> header = {"number", "point"};
-    for (const StoredProblem& problem : description.problems) {
-      most_ = std::max(most_, problem.variables);
-    }
-    for (std::int64_t k = 1; k <= most_; ++k) header.push_back(fmt::format("x{}", k));
-    file_.write(csv_row(header));
-  }
-
-  void add(const StoredRun& run) {
-    if (const auto& returned = run.record.returned) add(run.number, "returned", returned->x);
-    const auto& trace = run.record.trace;
-    if (!trace.empty()) add(run.number, "last improvement", trace.back().x);
-  }
-
-  void close() { file_.close(); }
-
- private:
-  void add(std::int64_t run, const char* point, const Vector& x) {
-    if (x.size() == 0) return;  // of an archive
-    std::vector<std::string> row = {std::to_string(run), point};
-    for (const double coordinate : x) row.push_back(number(coordinate));
-    row.resize(static_cast<std::size_t>(most_) + 2);
-    file_.write(csv_row(row));
-  }
-
-  OutputFile file_;
-  std::int64_t most_ = 0;  ///< variables
-};
+/// Adds the coordinates of a point to a row, and nothing up to as many columns.
+void add_point(TableFile& points, std::int64_t run, const char* point, const Vector& x,
+               std::int64_t most) {
+  if (x.size() == 0) return;  // of an archive
+  std::vector<Value> row = {run, std::string(point)};
+  row.insert(row.end(), x.begin(), x.end());
+  row.resize(static_cast<std::size_t>(most) + 2);
+  points.add_row(std::move(row));
+}
 
 }  // namespace
 
 void write_csv(const Store& store, const Completeness& completeness,
                const std::filesystem::path& folder) {
-  OutputFile runs(folder / "runs.csv");
-  runs.write(csv_row(columns_of_runs()));
-  OutputFile improvements(folder / "improvements.csv");
-  improvements.write(csv_row({"number", "evaluations", "seconds", "objective", "violation"}));
-  Points points(store.description(), folder / "points.csv");
+  std::int64_t most = 0;  // variables
+  for (const auto& problem : store.description().problems) most = std::max(most, problem.variables);
+  std::vector<Column> of_points = columns_named("number,point");
+  for (std::int64_t k = 1; k <= most; ++k) of_points.push_back({fmt::format("x{}", k)});
+  TableFile runs(folder / "runs.csv", columns_of_runs());
+  TableFile points(folder / "points.csv", of_points);
+  TableFile improvements(folder / "improvements.csv",
+                         columns_named("number,evaluations,seconds,objective,violation"));
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   const auto write_run = [&](const comparison::JudgedRun& run) {
-    std::vector<std::string> row;
-    each_cell(run, [&](std::string_view, std::string text) { row.push_back(std::move(text)); });
-    runs.write(csv_row(row));
-    points.add(run.stored);
-    for (const Improvement& step : run.stored.record.trace) {
-      improvements.write(
-          csv_row({std::to_string(run.stored.number), std::to_string(step.evaluations),
-                   number(step.seconds), number(step.true_values.objective),
-                   number(step.true_values.violation)}));
+    std::vector<Value> row;
+    each_cell(run, [&](std::string_view, Value cell) { row.push_back(std::move(cell)); });
+    runs.add_row(std::move(row));
+    const auto& [number, key, record] = run.stored;
+    if (record.returned) add_point(points, number, "returned", record.returned->x, most);
+    if (!record.trace.empty()) {
+      add_point(points, number, "last improvement", record.trace.back().x, most);
+    }
+    for (const auto& [evaluations, seconds, values, x] : record.trace) {
+      improvements.add(number, evaluations, seconds, values.objective, values.violation);
     }
   };
   comparison::each_judged(store, write_run,
@@ -260,26 +208,12 @@ void write_csv(const Store& store, const Completeness& completeness,
   improvements.close();
   points.close();
   times.close();
-  write_problems(store.description(), folder / "problems.csv");
-  write_completeness(completeness, folder / "completeness.csv");
+  write_file(folder / "problems.csv", csv_of(problem_table(store.description())));
+  Table parts = completeness_table(completeness);
+  parts.rows.insert(parts.rows.begin(), {std::string("all"), completeness.planned,
+                                         completeness.present, completeness.missing()});
+  write_file(folder / "completeness.csv", csv_of(parts));
   write_file(folder / "README.txt", csv_readme + ("\n" + as_sentence(completeness)) + "\n");
-}
-
-std::string csv_row(const std::vector<std::string>& fields) {
-  std::string row;
-  for (const std::string& field : fields) {
-    if (&field != &fields.front()) row += ',';
-    row += csv_field(field);
-  }
-  return row + '\n';
-}
-
-std::string number(double value) {
-  return fmt::format("{}", value);
-}
-
-std::string number(const std::optional<double>& value) {
-  return value ? number(*value) : "";
 }
 
 namespace {
@@ -348,7 +282,8 @@ Json json_of(const comparison::JudgedRun& run) {
                {"evaluations_allowed", record.budget.evaluations},
                {"seconds_allowed", record.budget.seconds},
                {"ledger", record.ledger},
-               {"termination_reason", name_of(record.termination_reason)},
+               {"termination_reason",
+                name_of(names_of(record.termination_reason), record.termination_reason)},
                {"failure", record.failure},
                {"terminations",
                 report::list_of(repeated(record.terminations),
@@ -376,13 +311,7 @@ Json json_of(const Completeness& completeness) {
   return {{"planned", completeness.planned},
           {"present", completeness.present},
           {"missing", completeness.missing()},
-          {"parts", report::list_of(completeness.parts,
-                                    [](const Completeness::Part& part) {
-                                      return Json{{"part", part.name},
-                                                  {"planned", part.planned},
-                                                  {"present", part.present},
-                                                  {"missing", part.planned - part.present}};
-                                    })},
+          {"parts", json_rows_of(completeness_table(completeness))},
           {"missing_shards", completeness.missing_shards},
           {"missing_problems", completeness.missing_problems},
           {"missing_solvers", completeness.missing_solvers},

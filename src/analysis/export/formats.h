@@ -2,13 +2,14 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <map>
+#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "src/analysis/export/output.h"
+#include "src/analysis/outcomes.h"
 #include "src/analysis/rating.h"
-#include "src/core/names.h"
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/store.h"
 #include "src/report/json.h"
@@ -38,14 +39,6 @@ std::vector<Format> all_formats();
 void write_csv(const Store& store, const Completeness& completeness,
                const std::filesystem::path& folder);
 
-/// A line with these fields, see csv_field(). It ends with a newline and without a carriage return,
-/// as in all exports here.
-std::string csv_row(const std::vector<std::string>& fields);
-
-/// The shortest decimal text that reads back to the number; also "inf", "-inf" and "nan".
-std::string number(double value);
-std::string number(const std::optional<double>& value);  ///< empty if there is none
-
 /// The numbers of planned, present and missing runs, of all and by part, and of what runs are
 /// missing.
 report::Json json_of(const Completeness& completeness);
@@ -56,9 +49,92 @@ report::Json json_of(const Completeness& completeness);
 void write_json(const Store& store, const Completeness& completeness,
                 const std::filesystem::path& folder);
 
-/// Any text as a label of one line; see label() and one_line().
-inline std::string label_of(std::string_view text) {
-  return label(one_line(text));
-}
+/// Writes table.tex, a longtable with a row for each problem and entry; a comment in it lists the
+/// LaTeX packages it needs.
+void write_latex(const Store& store, const Completeness& completeness,
+                 const std::filesystem::path& folder);
+
+/// Writes summary.tex, a table that fits a page: the first ranked entries of each family, as many
+/// of each as 45 rows allow, but at least one, and none that solved no run. Names that are too long
+/// for the page make the table smaller. A comment lists the LaTeX packages it needs.
+void write_latex_summary(const std::vector<comparison::RatedFamily>& families,
+                         const std::filesystem::path& folder);
+
+/// Writes table.md, a table with a row for each problem and entry.
+void write_markdown(const Store& store, const Completeness& completeness,
+                    const std::filesystem::path& folder);
+
+/// Writes ratings.csv, a row for each family and entry, the best first; ecdf.csv, a row for each of
+/// them and number of evaluations; and targets.csv, a row for each target of each problem.
+void write_ratings(const std::vector<comparison::RatedFamily>& families,
+                   const std::filesystem::path& folder);
+
+/// Writes the format of COCO's post-processing (Hansen et al. 2021,
+/// doi:10.1080/10556788.2020.1808977): a folder for each algorithm, with all problems, as written
+/// by COCO's suite bbob-mixint; README.txt, which says what of it can be opened; and
+/// running_times.csv, with expected running times computed by ricochet. See Numbering for the
+/// algorithms, best_so_far for the rows.
+void write_coco(const Store& store, const Completeness& completeness,
+                const std::filesystem::path& folder);
+
+/// Writes the format of IOHanalyzer (Wang et al. 2022, doi:10.1145/3510426): a folder for each
+/// algorithm, with its name, which holds a JSON file for each problem and the rows of data beside
+/// it; README.txt, which explains them; and running_times.csv, with expected running times computed
+/// by ricochet. raw_y is the optimality gap. See Numbering for the algorithms, best_so_far for the
+/// rows.
+void write_iohanalyzer(const Store& store, const Completeness& completeness,
+                       const std::filesystem::path& folder);
+
+/// Stands for the optimality gap until a feasible point is found, in formats that require a number.
+/// An optimality gap of this size or more is left out as if not found.
+inline constexpr double nothing_feasible = 1e30;
+
+/// The best optimality gap of a run over its evaluations, as readers of other suites expect it: the
+/// first row is of evaluation 1, the last of the run's last evaluation; evaluations rise; every
+/// optimality gap except the last row's is below the one before; all are finite. A run that was
+/// charged nothing has one row, of evaluation 1. Seconds are 0 if unknown.
+std::vector<comparison::Step> best_so_far(const comparison::Outcome& outcome);
+
+/// What readers of other suites need instead of names: numbers of functions, and names that are
+/// valid as file names and in lists. The names hold only letters, digits and -._+, have at most 100
+/// characters, and are different for different things.
+class Numbering {
+ public:
+  explicit Numbering(const CampaignDescription& description);
+
+  /// 1, 2, ... Problems with 5 or 6 variables come first, because COCO opens only those, and only
+  /// 24; the others follow in the order of the description.
+  int function_id(const std::string& problem) const { return functions_.at(problem).id; }
+  const std::string& function_name(const std::string& problem) const {
+    return functions_.at(problem).name;
+  }
+
+  /// The name of the cell's algorithm. An algorithm is everything of a cell except its problem:
+  /// solver, formulation, perturbation, gradient price and budget (runs with another budget are
+  /// other runs).
+  const std::string& algorithm(const Cell& cell);
+
+ private:
+  struct Function {
+    int id;
+    std::string name;
+  };
+  std::map<std::string, Function> functions_;
+  std::map<Cell, std::string> algorithms_;  ///< of cells without their problem
+  std::set<std::string> taken_;
+};
+
+/// A table beside an export whose readers compute these numbers differently: the names of
+/// algorithms and functions, and, by the best evaluated and by the returned point, the success rate
+/// and the expected running time.
+class RunningTimes {
+ public:
+  explicit RunningTimes(const std::filesystem::path& file);
+  void add(const comparison::JudgedCell& cell, Numbering& numbering);
+  void close() { file_.close(); }
+
+ private:
+  TableFile file_;
+};
 
 }  // namespace ricochet::exports

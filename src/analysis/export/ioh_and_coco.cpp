@@ -1,5 +1,3 @@
-#include "src/analysis/export/ioh_and_coco.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +11,6 @@
 
 #include "src/analysis/export/formats.h"
 #include "src/analysis/export/output.h"
-#include "src/analysis/export/tables.h"
 #include "src/analysis/outcomes.h"
 #include "src/core/names.h"
 #include "src/report/json.h"
@@ -23,6 +20,7 @@ namespace ricochet::exports {
 namespace {
 
 namespace fs = std::filesystem;
+using report::Json;
 
 constexpr const char* coco_readme =
     R"(A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:
@@ -53,11 +51,17 @@ std::int64_t after(std::int64_t count) {
   return power * (digit == 1 ? 2 : digit == 2 ? 5 : 10);
 }
 
+/// The file, whose folder is made if it is not there.
+fs::path in_made_folder(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  return file;
+}
+
 /// Files of one algorithm on one problem.
 class CocoCase {
  public:
-  CocoCase(const comparison::JudgedRun& first, const Completeness& completeness,
-           Numbering& numbering, const fs::path& folder)
+  CocoCase(const comparison::JudgedRun& first, const CampaignDescription& /*campaign*/,
+           const Completeness& completeness, Numbering& numbering, const fs::path& folder)
       : comment_(completeness.is_in_doubt() ? "of a campaign of ricochet: " + in_words(completeness)
                                             : "of ricochet"),
         root_(folder / numbering.algorithm(first.stored.key.cell)),
@@ -65,7 +69,7 @@ class CocoCase {
         variables_(first.problem.variables),
         algorithm_(numbering.algorithm(first.stored.key.cell)),
         stem_(fmt::format("data_f{0}/bbobexp_f{0}_DIM{1}", id_, variables_)),
-        improvements_(made(root_ / (stem_ + ".dat"))),
+        improvements_(in_made_folder(root_ / (stem_ + ".dat"))),
         counts_(root_ / (stem_ + ".tdat")) {}
 
   void add(const comparison::JudgedRun& run) {
@@ -103,11 +107,6 @@ class CocoCase {
   }
 
  private:
-  static fs::path made(const fs::path& file) {
-    fs::create_directories(file.parent_path());
-    return file;
-  }
-
   std::string header_of(double fopt) const {
     std::string header = fmt::format(
         "% f evaluations | g evaluations | best noise-free fitness - Fopt ({:.12e}) + sum g_i+ | "
@@ -137,16 +136,17 @@ class CocoCase {
   std::string summary_;  ///< of the runs
 };
 
-}  // namespace
-
-void write_coco(const Store& store, const Completeness& completeness, const fs::path& folder) {
+/// Has a Case, made of the first run of each cell, write its files.
+template <class Case>
+void write_cases(const Store& store, const Completeness& completeness, const fs::path& folder,
+                 const char* readme) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
-  std::optional<CocoCase> now;
+  std::optional<Case> now;
   comparison::each_judged(
       store,
       [&](const comparison::JudgedRun& run) {
-        if (!now) now.emplace(run, completeness, numbering, folder);
+        if (!now) now.emplace(run, store.description(), completeness, numbering, folder);
         now->add(run);
       },
       [&](const comparison::JudgedCell& cell) {
@@ -155,15 +155,18 @@ void write_coco(const Store& store, const Completeness& completeness, const fs::
         times.add(cell, numbering);
       });
   times.close();
-  write_file(folder / "README.txt", coco_readme + ("\n" + as_sentence(completeness)) + "\n");
+  write_file(folder / "README.txt", readme + ("\n" + as_sentence(completeness)) + "\n");
+}
+
+}  // namespace
+
+void write_coco(const Store& store, const Completeness& completeness, const fs::path& folder) {
+  write_cases<CocoCase>(store, completeness, folder, coco_readme);
 }
 
 namespace {
 
-namespace fs = std::filesystem;
-using report::Json;
-
-constexpr const char* readme =
+constexpr const char* ioh_readme =
     R"(A campaign of ricochet for IOHanalyzer, https://iohanalyzer.liacs.nl.
 
 Load every folder as one algorithm: a solver-formulation pair with its perturbation, price of a
@@ -196,7 +199,7 @@ class IohCase {
         rows_path_(fmt::format("data_{}/IOHprofiler_f{}_DIM{}.dat", stem_,
                                numbering.function_id(first.problem.name), first.problem.variables)),
         head_(head_of(first, campaign, completeness, numbering)),
-        rows_(made(root_ / rows_path_)) {}
+        rows_(in_made_folder(root_ / rows_path_)) {}
 
   void add(const comparison::JudgedRun& run) {
     const RunRecord& record = run.stored.record;
@@ -228,11 +231,6 @@ class IohCase {
   }
 
  private:
-  static fs::path made(const fs::path& file) {
-    fs::create_directories(file.parent_path());
-    return file;
-  }
-
   Json head_of(const comparison::JudgedRun& first, const CampaignDescription& campaign,
                const Completeness& completeness, Numbering& numbering) {
     dimension_ = first.problem.variables;
@@ -243,7 +241,7 @@ class IohCase {
     }
     Json attributes = Json::array();
     for (const auto& [name, value] : first.problem.factors) {
-      attributes.push_back({{name, number(value)}});
+      attributes.push_back({{name, fmt::format("{}", value)}});
     }
     attributes.push_back({{"formulation", cell.formulation}});
     attributes.push_back({{"perturbation", label(cell.perturbation)}});
@@ -278,22 +276,7 @@ class IohCase {
 
 void write_iohanalyzer(const Store& store, const Completeness& completeness,
                        const fs::path& folder) {
-  Numbering numbering(store.description());
-  RunningTimes times(folder / "running_times.csv");
-  std::optional<IohCase> now;
-  comparison::each_judged(
-      store,
-      [&](const comparison::JudgedRun& run) {
-        if (!now) now.emplace(run, store.description(), completeness, numbering, folder);
-        now->add(run);
-      },
-      [&](const comparison::JudgedCell& cell) {
-        now->close();
-        now.reset();
-        times.add(cell, numbering);
-      });
-  times.close();
-  write_file(folder / "README.txt", readme + ("\n" + as_sentence(completeness)) + "\n");
+  write_cases<IohCase>(store, completeness, folder, ioh_readme);
 }
 
 std::vector<comparison::Step> best_so_far(const comparison::Outcome& outcome) {

@@ -44,6 +44,27 @@ void OutputFile::close() {
   if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail(file_, errno);
 }
 
+TableFile::TableFile(const std::filesystem::path& file, std::vector<Column> columns, Writer writer)
+    : batch_{file.stem().string(), std::move(columns)}, writer_(std::move(writer)), file_(file) {}
+
+void TableFile::add_row(std::vector<Value> row) {
+  constexpr std::size_t enough = 1000;
+  batch_.add_row(std::move(row));
+  if (batch_.rows.size() == enough) write();
+}
+
+void TableFile::write() {
+  if (!std::exchange(begun_, true)) file_.write(writer_(batch_, Lines::head));
+  file_.write(writer_(batch_, Lines::rows));
+  batch_.rows.clear();
+}
+
+void TableFile::close(std::string_view foot) {
+  write();
+  file_.write(foot);
+  file_.close();
+}
+
 void write_file(const std::filesystem::path& file, std::string_view text) {
   OutputFile out(file);
   out.write(text);

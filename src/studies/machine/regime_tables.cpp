@@ -290,13 +290,7 @@ Json json_of(const RegimeMap& map) {
 
 Table point_table(const RegimeMap& map) {
   Table table{"points",
-              {{"curve"},
-               {"kind"},
-               {"collisions_slower"},
-               {"collisions_faster"},
-               {"constant"},
-               {"omega"},
-               {"slope"}}};
+              columns_named("curve,kind,collisions_slower,collisions_faster,constant,omega,slope")};
   for (std::size_t i = 0; i < map.curves.size(); ++i) {
     const MapCurve& curve = map.curves[i];
     for (const MapPoint& point : curve.points) {

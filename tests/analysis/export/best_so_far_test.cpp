@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "src/analysis/export/ioh_and_coco.h"
+#include "src/analysis/export/formats.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::exports {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "src/analysis/export/ioh_and_coco.h"
+#include "src/analysis/export/formats.h"
 #include "tests/analysis/export/coco_check.h"
 #include "tests/analysis/export/exported_store.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/analysis/export/ioh_and_coco.h"
+#include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/analysis/export/iohanalyzer_check.h"
 

@@ -3,7 +3,7 @@
 #include <regex>
 #include <set>
 
-#include "src/analysis/export/ioh_and_coco.h"
+#include "src/analysis/export/formats.h"
 
 namespace ricochet::exports {
 namespace {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/analysis/export/tables.h"
+#include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/analysis/export/rated.h"
 

@@ -157,7 +157,8 @@ TEST_F(PageFiles, KnowTheColoursOfTheirCharts) {
                  {Direction::vertical, 0.6, "third"}};
   write_page(page, root_);
   const std::string html = read(root_ / "index.html");
-  const std::string svgs = read(root_ / "one.svg") + read(root_ / "two.svg");
+  const std::string svgs =
+      read(root_ / "one.svg") + read(root_ / "two.svg") + read(RICOCHET_SOURCE "/docs/machine.svg");
   static const std::regex replaced("figure svg \\[(\\w+=\"[^\"]*\")\\]");
   int colours = 0;
   for (std::sregex_iterator it(html.begin(), html.end(), replaced), end; it != end; ++it) {

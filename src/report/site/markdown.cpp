@@ -120,6 +120,7 @@ void refine(pugi::xml_node node, const LinkTarget& target, Passed& passed) {
 std::vector<DocumentPart> parts_of(const pugi::xml_node& main) {
   std::vector<DocumentPart> parts;
   for (const pugi::xml_node& node : main.children()) {
+    if (node.type() != pugi::node_element) continue;  // a line's end
     if (is_heading(node)) {
       parts.push_back({text_of(node), node.attribute("id").value(), "", ""});
     } else if (!parts.empty()) {

@@ -22,6 +22,7 @@ const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe
 
 const wrong = [];
 const check = (holds, what) => { if (!holds) wrong.push(what); };
+process.on("exit", () => wrong.forEach((what) => console.log(what)));  // also where the test itself ends by an error
 const started = Date.now();
 
 fs.rmSync(folder, {recursive: true, force: true});
@@ -255,6 +256,5 @@ check((await searching.$$("#found a")).length === 0, "the search finds what is i
 await searching.close();
 
 await browser.close();
-for (const what of wrong) console.log(what);
 console.log(`${pages.length} pages, ${wrong.length} complaints; the front page loads in ${seconds.toFixed(2)} s ${((Date.now() - started) / 1000).toFixed(0)} s`);
 process.exit(wrong.length ? 1 : 0);

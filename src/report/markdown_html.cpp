@@ -338,6 +338,7 @@ std::string inner_html(const pugi::xml_node& node) {
 
 void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
   for (const pugi::xml_node& node : from.children()) {
+    if (node.type() != pugi::node_element) continue;  // a line's end
     if (is(node, "section")) {
       add_parts(node, parts);
     } else if (is_heading(node)) {

@@ -36,7 +36,7 @@ const searched = (entries, query) => {
   const words = wordsOf(query);
   const rated = entries.map((entry) => {
     const all = words.map((word) => worth(entry, word));
-    return {entry, has: all.filter((one) => one > 0).length, sum: all.reduce((a, b) => a + b, 0) + (entry.heading.toLowerCase() === words.join(" ") ? 2000 : 0)};
+    return {entry, has: all.filter((one) => one > 0).length, sum: all.reduce((a, b) => a + b, 0)};
   });
   const most = Math.max(0, ...rated.map(({has}) => has));
   return {most, of: words.length, found: most === 0 ? [] : rated.filter(({has}) => has === most).sort((a, b) => b.sum - a.sum).map(({entry}) => entry)};

@@ -29,13 +29,20 @@ bool is_heading(const pugi::xml_node& node) {
   return name.size() == 2 && name[0] == 'h' && name[1] >= '1' && name[1] <= '6';
 }
 
-enum class Tables { taken, left_out };
+/// What is taken of a table: all, or the names of its rows.
+enum class Tables { whole, names };
 
-std::string text_of(const pugi::xml_node& node, Tables tables = Tables::taken) {
+std::string text_of(const pugi::xml_node& node, Tables tables = Tables::whole) {
   std::string text;
   for (const pugi::xml_node& child : node.children()) {
-    if (tables == Tables::left_out && std::string(child.name()) == "table") continue;
-    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
+    if (tables == Tables::names && std::string(child.name()) == "tr") {
+      const auto is_cell = [](const pugi::xml_node& one) {
+        return one.type() == pugi::node_element;
+      };
+      text += text_of(child.find_child(is_cell)) + " ";
+    } else {
+      text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
+    }
   }
   return text;
 }
@@ -124,7 +131,7 @@ std::vector<DocumentPart> parts_of(const pugi::xml_node& main) {
       parts.push_back({text_of(node), node.attribute("id").value(), "", ""});
     } else if (!parts.empty()) {
       parts.back().text += text_of(node) + " ";
-      parts.back().prose += text_of(node, Tables::left_out) + " ";
+      parts.back().prose += text_of(node, Tables::names) + " ";
     }
   }
   return parts;

@@ -10,7 +10,7 @@ namespace ricochet::site {
 struct DocumentPart {
   std::string heading, anchor;
   std::string text;   ///< plain
-  std::string prose;  ///< the same without tables
+  std::string prose;  ///< the same, of tables only the names of rows
 };
 
 /// A Markdown document as HTML.

@@ -5,7 +5,7 @@
 const most = 20;  // entries that are shown
 
 // Words of a question that say nothing of what it asks for.
-const common = new Set(("a an and any are as at be by can could do does for from get has have how i if in is it its me my of on or our should so " +
+const common = new Set(("a affect an and any are as at be by can change could depend do does effect for from get has have how i if in influence is it its matter me my of on or our should so " +
   "that the their there they this to use used using was we what when where which who why will with would you your").split(" "));
 
 const wordsOf = (query) => {

@@ -40,7 +40,7 @@ const questions = [
   ["How many evaluations does bisection need?", "bisection evaluations", ["comparison/top-speed", "comparison/solvers"], () => fixed(row("comparison", "speed-accuracy", {family: "top-speed", solver: "bisection", formulation: "count"}).evaluations, 1)],
   ["Is this Ipopt an old one?", "ipopt version", ["comparison/solvers"], () => data("comparison/solvers").parts.solvers.find(({id}) => id === "ipopt").values.version],
   ["What is ERT?", "ERT", ["docs/benchmark-method", "docs/glossary", "comparison/solvers"], () => "evaluations until solved, with restarts"],
-  ["What is the best known value of hs-71?", "best known value of hs-71", ["docs/benchmark-method"], () => "evaluate hs-71 --describe"],
+  ["What is the best known value of hs-71?", "best known value of hs-71", ["docs/benchmark-method"], () => "evaluate PROBLEM --describe"],
   ["Would the ranking be the same on other problems?", "does the order hold on other problems", ["comparison"], () => fixed(100 * row("comparison", "held-out", {family: "profile-count"}).first_stays, 0)],
   ["What happens if my solver crashes?", "my solver crashes", ["docs/benchmark-method", "docs/own-solver"], () => "solver throws, crashes, hangs"],
   ["How exactly must a constraint hold?", "constraint tolerance", ["docs/benchmark-method"], () => "1e-6"],

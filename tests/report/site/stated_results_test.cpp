@@ -207,6 +207,16 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
   EXPECT_EQ(static_cast<double>(comparison.table("unsolved").rows.size()), unsolved);
 }
 
+/// README and all documents.
+std::vector<std::string> documents() {
+  std::vector<std::string> files = {"README.md"};
+  for (const auto& entry : fs::directory_iterator(fs::path(RICOCHET_SOURCE) / "docs")) {
+    if (entry.path().extension() == ".md")
+      files.push_back("docs/" + entry.path().filename().string());
+  }
+  return files;
+}
+
 /// What the other documents say, taken out of them.
 void state_results(const std::string& file, Prose& document) {
   if (file == "docs/benchmark-method.md") {
@@ -256,6 +266,48 @@ void state_results(const std::string& file, Prose& document) {
     document.states("a lateral pull of 1.5 times the pull along x");
   }
   if (file == "docs/tutorial.md") document.states(error_of_the_fit());
+}
+
+TEST(StatedResults, OfHowLongCommandsTakeAreThoseOfTheReports) {
+  Prose reports = part_of("docs/reports.md", "| command | report |", "| `run full` |");
+  for (const auto& [command, folder] :
+       {std::pair{"reproduce", "reproduction"}, std::pair{"dynamics", "dynamics"},
+        std::pair{"surrogate", "surrogate"},
+        std::pair{"calibrate --all-interpretations --converge", "calibration"},
+        std::pair{"fireworks", "fireworks"}, std::pair{"verify", "verification"},
+        std::pair{"impact-test", "impact-test"}}) {
+    const double seconds = Committed(folder).value("made.seconds");
+    reports.states(fmt::format("/{}/summary.md) | {} |", folder,
+                               seconds < 100 ? fmt::format("{:.0f} s", seconds)
+                                             : fmt::format("{:.0f} min", seconds / 60)));
+    reports.states(fmt::format("| `{}` | [", command));
+  }
+}
+
+/// Where a page says how long a command takes.
+std::string durations_in(const std::string& markdown) {
+  static const std::regex remark(
+      "(not run:|\\$ \\./ricochet [^\n#]*#)[^\n]*\\b(second|minute|hour)s?\\b");
+  static const std::regex sentence(
+      "`[a-z][a-z-]*( "
+      "[^`]*)?`[^.`]{0,40}\\b(takes?|took)\\s[^.`]{0,20}\\b(s|seconds?|minutes?|hours?)\\b");
+  std::string found;
+  for (const std::regex* pattern : {&remark, &sentence}) {
+    for (std::sregex_iterator it(markdown.begin(), markdown.end(), *pattern), end; it != end; ++it)
+      found += it->str() + "; ";
+  }
+  return found;
+}
+
+TEST(StatedResults, OfHowLongCommandsTakeStandOnOnePage) {
+  for (const std::string& file : documents()) {
+    if (file == "docs/reports.md") continue;
+    EXPECT_EQ(durations_in(repository_text(file)), "") << file;
+  }
+  EXPECT_NE(durations_in("<!-- not run: some minutes -->"), "");
+  EXPECT_NE(durations_in("$ ./ricochet reproduce   # 12 seconds"), "");
+  EXPECT_NE(durations_in("Then `reproduce --quick` takes\n3 s."), "");
+  EXPECT_EQ(durations_in("`--seconds` is the time after which `run` ends; it takes care"), "");
 }
 
 /// A document without what is not of the reference: from a block with a date and a version on, the
@@ -334,13 +386,8 @@ std::string without_tested_parts(const std::string& file, std::string text) {
 }
 
 TEST(StatedResults, OfEveryDocumentAreOfTheReferenceOrDated) {
-  std::vector<std::string> files = {"README.md"};
-  for (const auto& entry : fs::directory_iterator(fs::path(RICOCHET_SOURCE) / "docs")) {
-    if (entry.path().extension() == ".md")
-      files.push_back("docs/" + entry.path().filename().string());
-  }
-  EXPECT_GT(files.size(), 15U);
-  for (const std::string& file : files) {
+  EXPECT_GT(documents().size(), 15U);
+  for (const std::string& file : documents()) {
     Prose document(undated(without_tested_parts(file, repository_text(file))));
     state_results(file, document);
     for (const std::string& definition : definitions(file)) document.states(definition);

@@ -5,7 +5,7 @@
 const most = 20;  // entries that are shown
 
 // Words of a question that say nothing of what it asks for.
-const common = new Set(("a an and any are as at be by can could do does for from get has have how i if in is it its me my of on or our should so " +
+const common = new Set(("a affect an and any are as at be by can change could depend do does effect for from get has have how i if in influence is it its matter me my of on or our should so " +
   "that the their there they this to use used using was we what when where which who why will with would you your").split(" "));
 
 const wordsOf = (query) => {
@@ -24,22 +24,27 @@ const stem = (word) => {
 const pattern = (word, whole) => new RegExp(`(?<![\\p{L}\\p{N}])${(whole ? word : stem(word)).replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&")}${whole ? "(?![\\p{L}\\p{N}])" : ""}`, "giu");
 const times = (text, word, whole) => (text.match(pattern(word, whole)) ?? []).length;
 
-// How well an entry has a word: a heading's whole word counts most, then its word that begins so, then texts; 0 if it has it
-// nowhere. Of up to three letters a word must be whole.
-const worth = ({page, heading, text}, word) => {
-  const short = word.length <= 3, inText = times(text, word, short), inHeading = times(heading, word, short), inPage = times(page, word, short);
-  return (inHeading ? times(heading, word, true) ? 1000 : 300 : 0) + (inPage ? 100 : 0) + 5 * Math.min(times(text, word, true), 5) + Math.min(inText, 5);
+// How surely an entry is about a word, from 0, where it has it nowhere, to 1, where its text does; more where its heading or
+// its page's title does. What a long text has counts less. Of up to three letters a word must be whole.
+const worth = ({page, heading, text}, word, usual) => {
+  const short = word.length <= 3, counted = times(text, word, true) + times(text, word, short);
+  const inText = counted / (counted + 1 + 3 * text.length / usual);
+  return inText + (times(heading, word, true) ? 3 : times(heading, word, short) ? 1.5 : 0) + (times(page, word, short) ? 0.7 : 0);
 };
 
-// The entries with most of the words, the best first, and how many words that is.
+// The entries with all words or, of three and more, with what tells most; the best first. `has`: the most words that one has. A
+// word tells the more the fewer entries have it.
 const searched = (entries, query) => {
-  const words = wordsOf(query);
-  const rated = entries.map((entry) => {
-    const all = words.map((word) => worth(entry, word));
-    return {entry, has: all.filter((one) => one > 0).length, sum: all.reduce((a, b) => a + b, 0) + (entry.heading.toLowerCase() === words.join(" ") ? 2000 : 0)};
+  const words = wordsOf(query), usual = entries.reduce((sum, {text}) => sum + text.length, 1) / Math.max(1, entries.length);
+  const worths = entries.map((entry) => words.map((word) => worth(entry, word, usual)));
+  const tells = words.map((_, i) => Math.log(1 + entries.length / (1 + worths.filter((all) => all[i] > 0).length)));
+  const rated = entries.map((entry, k) => {
+    const has = worths[k].filter((one) => one > 0).length, share = tells.reduce((sum, tell, i) => sum + (worths[k][i] > 0 ? tell : 0), 0) / tells.reduce((a, b) => a + b, 0);
+    const isAsked = entry.heading.toLowerCase() === words.join(" ") ? 2 : 1;
+    return {entry, has, sum: isAsked * share ** 2 * worths[k].reduce((sum, one, i) => sum + tells[i] * one, 0)};
   });
-  const most = Math.max(0, ...rated.map(({has}) => has));
-  return {most, of: words.length, found: most === 0 ? [] : rated.filter(({has}) => has === most).sort((a, b) => b.sum - a.sum).map(({entry}) => entry)};
+  const has = Math.max(0, ...rated.map((one) => one.has)), enough = words.length < 3 || has < words.length ? has : Math.ceil(words.length / 2);
+  return {has, of: words.length, found: has === 0 ? [] : rated.filter((one) => one.has >= enough).sort((a, b) => b.sum - a.sum).map(({entry}) => entry)};
 };
 
 // The text around the first word that stands in it.
@@ -54,7 +59,7 @@ const texts = JSON.parse(document.getElementById("texts").textContent);
 const field = document.getElementById("words"), list = document.getElementById("found");
 
 const search = () => {
-  const {found, most: has, of} = searched(texts, field.value), words = wordsOf(field.value);
+  const {found, has, of} = searched(texts, field.value), words = wordsOf(field.value);
   list.replaceChildren(...found.slice(0, most).map(({page, heading, address, text}) => {
     const item = document.createElement("li"), link = document.createElement("a"), told = document.createElement("p");
     link.href = address;

@@ -51,13 +51,19 @@ void load(pugi::xml_document& tree, const std::string& markdown) {
     throw std::runtime_error("a page is no Markdown");
 }
 
-enum class Tables { taken, left_out };
+/// What is taken of a table: all, or the names of its rows.
+enum class Tables { whole, names };
 
-std::string text_of(const pugi::xml_node& node, Tables tables = Tables::taken) {
-  if (tables == Tables::left_out && std::string_view(node.name()) == "table") return "";
+std::string text_of(const pugi::xml_node& node, Tables tables = Tables::whole) {
+  const auto is_cell = [](const pugi::xml_node& one) { return one.type() == pugi::node_element; };
   std::string text;
-  for (const pugi::xml_node& child : node.children())
-    text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
+  for (const pugi::xml_node& child : node.children()) {
+    if (tables == Tables::names && std::string_view(child.name()) == "tr") {
+      text += text_of(child.find_child(is_cell)) + " ";
+    } else {
+      text += child.type() == pugi::node_pcdata ? child.value() : text_of(child, tables);
+    }
+  }
   return text;
 }
 
@@ -346,7 +352,7 @@ void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
       parts.push_back({text_of(node), of.attribute("id").value(), "", ""});
     } else if (!parts.empty()) {
       parts.back().text += text_of(node) + " ";
-      parts.back().prose += text_of(node, Tables::left_out) + " ";
+      parts.back().prose += text_of(node, Tables::names) + " ";
     }
   }
 }

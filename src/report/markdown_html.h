@@ -37,7 +37,7 @@ struct PagePart {
   std::string heading;
   std::string anchor;  ///< empty: that of the page
   std::string text;    ///< plain
-  std::string prose;   ///< the same without tables
+  std::string prose;   ///< the same, of tables only the names of rows
 };
 
 struct HtmlPage {

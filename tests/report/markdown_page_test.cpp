@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <regex>
 
+#include "src/core/files.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -169,7 +170,8 @@ TEST(MarkdownPage, KnowsTheColoursOfItsCharts) {
   }
   const auto files = page_files(page("# T\n\n{{chart lines}}\n\n{{chart points}}\n"), two).files;
   const std::string& html = files.at("index.html");
-  const std::string svgs = files.at("lines.svg") + files.at("points.svg");
+  const std::string svgs = files.at("lines.svg") + files.at("points.svg") +
+                           text_of_file(RICOCHET_SOURCE "/docs/machine.svg");
   static const std::regex replaced("figure svg \\[(\\w+=\"[^\"]*\")\\]");
   int colours = 0;
   for (std::sregex_iterator it(html.begin(), html.end(), replaced), end; it != end; ++it) {

@@ -117,8 +117,8 @@ TEST(Numbers, OfEveryPageStandInTheDataBesideIt) {
     const std::string kind = data.at("report");
     if (kind == "site") continue;  // its data are of the other reports
     Json known = data;  // and how it was made, which the report above a further page says
-    known["above"] =
-        report::data_in(read(folder.parent_path() / "data.json")).value("made", Json());
+    const std::string above = read(folder.parent_path() / "data.json");
+    if (!above.empty()) known["above"] = report::data_in(above).value("made", Json());
     const auto unknown =
         unknown_numbers(read(folder / "summary.md"), known, report::page_template(kind));
     std::string all;

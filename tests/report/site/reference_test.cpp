@@ -93,6 +93,34 @@ TEST_F(Reference, HasTheDataOfEveryPage) {
   }
 }
 
+TEST_F(Reference, SaysAtTheFootOfEveryPageHowItWasMade) {
+  static const std::regex foot(
+      "\nMade on 20[0-9]{2}-[0-9]{2}-[0-9]{2} by ricochet [0-9.]+ \\(.+\\) in [0-9.]+ s, with "
+      "[0-9]+ "
+      "threads?( on .+)?\\.\n$");
+  int pages = 0;
+  for (const std::string& name : files_) {
+    if (!in_reference(name) || !name.ends_with("/summary.md")) continue;
+    if (!files_.contains(fs::path(name).parent_path() / "data.json")) continue;
+    EXPECT_TRUE(std::regex_search(committed_text(name), foot)) << name;
+    ++pages;
+  }
+  EXPECT_GT(pages, 15);
+}
+
+/// The fastest quiet speed is of the long run; the comparison's problems ask for another.
+TEST_F(Reference, CallsTheSpeedOfTheWindowByItsName) {
+  int pages = 0;
+  for (const std::string& name : files_) {
+    const bool of_window = name.starts_with("reports/reference/comparison/") ||
+                           name.starts_with("reports/reference/surrogate/");
+    if (!of_window || !name.ends_with("/summary.md")) continue;
+    EXPECT_EQ(committed_text(name).find("astest quiet speed"), std::string::npos) << name;
+    ++pages;
+  }
+  EXPECT_GT(pages, 10);
+}
+
 struct Link {
   std::string file, anchor;
 };

@@ -15,11 +15,12 @@
 
 #include "src/report/report.h"
 #include "src/report/results.h"
+#include "src/report/text.h"
 
 /// What README and the documents state, and the committed reports that it must be found in.
 namespace ricochet::site {
 
-inline std::string committed_text(const std::string& file) {
+inline std::string repository_text(const std::string& file) {
   std::ifstream stream(std::filesystem::path(RICOCHET_SOURCE) / file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -29,7 +30,7 @@ class Committed {
  public:
   explicit Committed(const std::string& folder)
       : results_(report::results_of(
-            report::data_in(committed_text("reports/reference/" + folder + "/data.json")))) {}
+            report::data_in(repository_text("reports/reference/" + folder + "/data.json")))) {}
 
   double value(const char* name) const {
     const Value* found = results_.value(name);
@@ -65,9 +66,9 @@ class Committed {
 };
 
 /// A text. What is found in it is taken out, so that numbers are left over which nothing states.
-class Document {
+class Prose {
  public:
-  explicit Document(const std::string& text) {
+  explicit Prose(const std::string& text) {
     static const std::regex code("```[^]*?```|<!--[^]*?-->"), space("\\s+");
     text_ = std::regex_replace(std::regex_replace(text, code, ""), space, " ");
   }
@@ -104,16 +105,17 @@ class Document {
 };
 
 /// A part of a file, from one text to another.
-inline Document part_of(const std::string& file, const std::string& from, const std::string& to) {
-  const std::string all = committed_text(file);
+inline Prose part_of(const std::string& file, const std::string& from, const std::string& to) {
+  const std::string all = repository_text(file);
   const std::size_t start = all.find(from), end = all.find(to, start);
   if (start == std::string::npos || end == std::string::npos) throw std::logic_error(from);
-  return Document(all.substr(start, end - start));
+  return Prose(all.substr(start, end - start));
 }
 
 /// The error of the fit with its interval: "6 % (95 % interval 3 to 8 %)".
 inline std::string error_of_the_fit() {
-  const Row fit = Committed("calibration").row("left-out", "in the fit");
+  const Committed calibration("calibration");
+  const Row fit = calibration.row("left-out", "in the fit");
   return fmt::format("{:.0f} % (95 % interval {:.0f} to {:.0f} %)", 100 * fit.number("error"),
                      100 * fit.number("lower"), 100 * fit.number("upper"));
 }

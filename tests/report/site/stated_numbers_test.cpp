@@ -43,7 +43,7 @@ std::string prediction() {
 
 TEST(StatedNumbers, OfReadmeAreThoseOfThePapersCases) {
   const Cases cases;
-  Document readme = part_of("README.md", "**How fast?**", "**What is the paper's fireworks");
+  Prose readme = part_of("README.md", "**How fast?**", "**What is the paper's fireworks");
   readme.states(fmt::format(
       "silent up to {:.2f} rad/s, hits each wall once a turn up to {:.2f} rad/s ({:.0f} rpm)",
       cases.speed("C1", "silent_up_to"), cases.speed("C1", "quiet_up_to"),
@@ -75,7 +75,7 @@ TEST(StatedNumbers, OfReadmeAreThoseOfThePapersCases) {
 
 TEST(StatedNumbers, OfTheThresholdsOfThePaperAreThoseOfItsCases) {
   const Cases cases;
-  Document paper = part_of("docs/paper.md", "## Are the thresholds real?", "## Which border of");
+  Prose paper = part_of("docs/paper.md", "## Are the thresholds real?", "## Which border of");
   const auto [least, most] = cases.extent("thresholds", "threshold_error");
   paper.states(fmt::format("come out within {:.0f} %, with a root-mean-square error of {}",
                            100 * std::max(-least, most), error_of_the_fit()));
@@ -126,7 +126,7 @@ TEST(StatedNumbers, OfTheThresholdsOfThePaperAreThoseOfItsCases) {
   paper.states("At restitution 0.9");
   EXPECT_EQ(paper.numbers_left(), "");
 
-  Document bounds =
+  Prose bounds =
       part_of("docs/paper.md", "## How close can any model come?", "## What is the fireworks");
   bounds.states(fmt::format("Not within {:.1f} % of all ten", 100 * cases.value("bound")));
   bounds.states(fmt::format(
@@ -141,7 +141,7 @@ TEST(StatedNumbers, OfTheThresholdsOfThePaperAreThoseOfItsCases) {
 
 TEST(StatedNumbers, OfTheBordersAreThoseOfThePapersCases) {
   const Cases cases;
-  Document paper =
+  Prose paper =
       part_of("docs/paper.md", "### The borders of the machine", "## Which interpretation of");
   each_row(cases.table("thresholds"), [&](const Row& row) {
     const auto claim = row.number_if("paper_threshold");
@@ -184,8 +184,8 @@ TEST(StatedNumbers, OfTheBordersAreThoseOfThePapersCases) {
 
 TEST(StatedNumbers, OfThePagesAboutRegimesAreThoseOfThePapersCases) {
   const Cases cases;
-  Document why = part_of("docs/threshold-and-regimes.md", "## Why is there a threshold?",
-                         "## When is a count certain?");
+  Prose why = part_of("docs/threshold-and-regimes.md", "## Why is there a threshold?",
+                      "## When is a count certain?");
   std::string steps;
   for (const double restitution : {0.1, 0.9}) {
     int all = 0, same = 0;
@@ -200,7 +200,7 @@ TEST(StatedNumbers, OfThePagesAboutRegimesAreThoseOfThePapersCases) {
   why.states(
       "At restitution 0.1 the increase is a step in 5 of 6 cases of the paper; at 0.9 it is a "
       "gradual climb in 6 of 6 cases");
-  Document map =
+  Prose map =
       part_of("docs/threshold-and-regimes.md", "That is the machine of the paper's cases C1 and C2",
               "The regimes are solved at");
   map.states(fmt::format("{} against {:.2f} rad/s at restitution 0.1, and {} against {:.2f} at 0.9",
@@ -227,7 +227,7 @@ TEST(StatedNumbers, LimitAndRestitutionMoveThePapersCasesAlike) {
 }
 
 TEST(StatedNumbers, ThatNothingStatesAreFound) {
-  Document document("C1 at 8.08\nrad/s, `7`, [3](4.md) and 5.");
+  Prose document("C1 at 8.08\nrad/s, `7`, [3](4.md) and 5.");
   document.states("at 8.08 rad/s");
   EXPECT_EQ(document.numbers_left(), "3 5 ");
 }

@@ -48,7 +48,7 @@ std::string fireworks_and_random_search(const Committed& comparison, const char*
 
 TEST(StatedResults, OfReadmeAreThoseOfTheComparison) {
   const Committed comparison("comparison");
-  Document readme = part_of("README.md", "**What is the paper's fireworks", "## Two commands");
+  Prose readme = part_of("README.md", "**What is the paper's fireworks", "## Two commands");
   readme.states(fireworks_and_random_search(
       comparison, "solves {} of its runs (95 % interval {} %), random search {} ({} %)"));
   const Row strategy = on_all(comparison, "pagmo-cmaes");
@@ -95,7 +95,7 @@ TEST(StatedResults, OfReadmeAreThoseOfTheComparison) {
   readme.states("with 100 evaluations a variable; intervals are of 95 %, over problems");
   readme.states("near 1, other problems");
   EXPECT_EQ(readme.numbers_left(), "");
-  Document first_lines = part_of("README.md", "# ricochet", "## What we found");
+  Prose first_lines = part_of("README.md", "# ricochet", "## What we found");
   first_lines.states(fmt::format("to benchmark {:.0f} solvers", comparison.value("solvers")));
   first_lines.states("432 in all");  // see the test of the catalogue
   first_lines.states("(2024)");
@@ -104,7 +104,7 @@ TEST(StatedResults, OfReadmeAreThoseOfTheComparison) {
 
 TEST(StatedResults, OfTheFireworksAlgorithmAreThoseOfTheComparison) {
   const Committed comparison("comparison");
-  Document paper =
+  Prose paper =
       part_of("docs/paper.md", "The paper optimises with the fireworks", "LoTFWA's authors");
   paper.states(fireworks_and_random_search(
       comparison, "{} of the runs (95 % interval {} %) against {} ({} %)"));
@@ -131,11 +131,12 @@ TEST(StatedResults, OfTheFireworksAlgorithmAreThoseOfTheComparison) {
   paper.states(
       fmt::format("at {:.0f} or further from it, it ends more than {:.0f} times as far away",
                   family.value("far"), family.value("much")));
+  paper.states("means are 0 to six decimals");
   paper.states("(Tan and Zhu, 2010)");
   paper.states("equation (24)");
   EXPECT_EQ(paper.numbers_left(), "");
 
-  Document fitted = part_of("docs/paper.md", "Every other command uses one", "## How close can");
+  Prose fitted = part_of("docs/paper.md", "Every other command uses one", "## How close can");
   const Committed calibration("calibration");
   const std::string chosen = calibration.text("interpretation");
   const Row searches = calibration.row("searches", chosen);
@@ -175,7 +176,7 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
   const auto hs = static_cast<int>(comparison.row("leaders", "hs").number("problems"));
   const auto joined = static_cast<int>(on_all(comparison, "random-search").number("problems"));
   EXPECT_EQ(joined, problems - variants - hs);
-  Document method = part_of("docs/benchmark-method.md", "**Which number of problems", "```console");
+  Prose method = part_of("docs/benchmark-method.md", "**Which number of problems", "```console");
   method.states(fmt::format("takes the {} of up to 100 variables", problems - variants));
   method.states(fmt::format("has {} variants of machines and of the model beside them: {} problems",
                             variants, problems));
@@ -196,7 +197,7 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
     if (leader.number_if("best").value_or(0) >= 0.9)
       least = std::min(least, row.number("first_stays"));
   });
-  Document(committed_text("docs/benchmark-method.md"))
+  Prose(repository_text("docs/benchmark-method.md"))
       .states(fmt::format("in {:.0f} % of the draws or more where P(best) is 0.9 or more",
                           100 * least));
   // Nothing is unsolved in one table and solved in another.
@@ -206,18 +207,20 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
   EXPECT_EQ(static_cast<double>(comparison.table("unsolved").rows.size()), unsolved);
 }
 
+/// README and all documents.
+std::vector<std::string> documents() {
+  std::vector<std::string> files = {"README.md"};
+  for (const auto& entry : fs::directory_iterator(fs::path(RICOCHET_SOURCE) / "docs")) {
+    if (entry.path().extension() == ".md")
+      files.push_back("docs/" + entry.path().filename().string());
+  }
+  return files;
+}
+
 /// What the other documents say, taken out of them.
-void state_results(const std::string& file, Document& document) {
+void state_results(const std::string& file, Prose& document) {
   if (file == "docs/benchmark-method.md") {
     const Committed surrogate("surrogate");
-    double least = 1;
-    each_row(comparison.table("held-out"), [&](const Row& row) {
-      const Row leader = comparison.row("leaders", row.text("family"));
-      if (leader.number_if("best").value_or(0) >= 0.9)
-        least = std::min(least, row.number("first_stays"));
-    });
-    document.states(
-        fmt::format("in {:.0f} % of the draws or more where P(best) is 0.9 or more", 100 * least));
     const auto off = [&](double smoothing) {
       std::vector<double> errors;
       int loud = 0;
@@ -241,7 +244,8 @@ void state_results(const std::string& file, Document& document) {
                                 narrow, worst_narrow, loud_narrow));
   }
   if (file == "docs/threshold-and-regimes.md") {
-    const Row all = Committed("verification").row("scenes", "all");
+    const Committed verification("verification");
+    const Row all = verification.row("scenes", "all");
     EXPECT_EQ(all.number("wrong_certain"), 0);
     document.states(fmt::format(
         "of {} random and hostile scenes, {:.0f} % of the counts are certain and none of these is "
@@ -249,7 +253,7 @@ void state_results(const std::string& file, Document& document) {
         "60,000", 100 * all.number("certain"), "2,548"));
     EXPECT_EQ(all.number("number"), 60'000);
     EXPECT_EQ(all.number("wrong_uncertain"), 2'548);
-    const std::string dynamics = committed_text("reports/reference/dynamics/summary.md");
+    const std::string dynamics = repository_text("reports/reference/dynamics/summary.md");
     EXPECT_NE(dynamics.find("really returns 0.516"), std::string::npos);
     document.states("a \"restitution of 0.1\" really returns 0.516");
     document.states(
@@ -257,11 +261,53 @@ void state_results(const std::string& file, Document& document) {
                     Committed("reproduction").row("parameters", "revolutions").number("value")));
   }
   if (file == "docs/machine-files.md") {
-    const std::string machine = committed_text("reports/reference/machine/summary.md");
+    const std::string machine = repository_text("reports/reference/machine/summary.md");
     EXPECT_NE(machine.find("pull of 1.5 times that along the track"), std::string::npos);
     document.states("a lateral pull of 1.5 times the pull along x");
   }
   if (file == "docs/tutorial.md") document.states(error_of_the_fit());
+}
+
+TEST(StatedResults, OfHowLongCommandsTakeAreThoseOfTheReports) {
+  Prose reports = part_of("docs/reports.md", "| command | report |", "| `run full` |");
+  for (const auto& [command, folder] :
+       {std::pair{"reproduce", "reproduction"}, std::pair{"dynamics", "dynamics"},
+        std::pair{"surrogate", "surrogate"},
+        std::pair{"calibrate --all-interpretations --converge", "calibration"},
+        std::pair{"fireworks", "fireworks"}, std::pair{"verify", "verification"},
+        std::pair{"impact-test", "impact-test"}}) {
+    const double seconds = Committed(folder).value("made.seconds");
+    reports.states(fmt::format("/{}/summary.md) | {} |", folder,
+                               seconds < 100 ? fmt::format("{:.0f} s", seconds)
+                                             : fmt::format("{:.0f} min", seconds / 60)));
+    reports.states(fmt::format("| `{}` | [", command));
+  }
+}
+
+/// Where a page says how long a command takes.
+std::string durations_in(const std::string& markdown) {
+  static const std::regex remark(
+      "(not run:|\\$ \\./ricochet [^\n#]*#)[^\n]*\\b(second|minute|hour)s?\\b");
+  static const std::regex sentence(
+      "`[a-z][a-z-]*( "
+      "[^`]*)?`[^.`]{0,40}\\b(takes?|took)\\s[^.`]{0,20}\\b(s|seconds?|minutes?|hours?)\\b");
+  std::string found;
+  for (const std::regex* pattern : {&remark, &sentence}) {
+    for (std::sregex_iterator it(markdown.begin(), markdown.end(), *pattern), end; it != end; ++it)
+      found += it->str() + "; ";
+  }
+  return found;
+}
+
+TEST(StatedResults, OfHowLongCommandsTakeStandOnOnePage) {
+  for (const std::string& file : documents()) {
+    if (file == "docs/reports.md") continue;
+    EXPECT_EQ(durations_in(repository_text(file)), "") << file;
+  }
+  EXPECT_NE(durations_in("<!-- not run: some minutes -->"), "");
+  EXPECT_NE(durations_in("$ ./ricochet reproduce   # 12 seconds"), "");
+  EXPECT_NE(durations_in("Then `reproduce --quick` takes\n3 s."), "");
+  EXPECT_EQ(durations_in("`--seconds` is the time after which `run` ends; it takes care"), "");
 }
 
 /// A document without what is not of the reference: from a block with a date and a version on, the
@@ -287,7 +333,32 @@ std::string undated(const std::string& markdown) {
 
 /// What looks like a result, but is set, defined or an example.
 const std::vector<std::string>& definitions(const std::string& file) {
-  static const std::map<std::string, std::vector<std::string>> all = { @ @DEFS @ @ };
+  static const std::map<std::string, std::vector<std::string>> all = {
+      {"docs/benchmark-method.md",
+       {"(p < 0.05)", "with probability 0.2,", "with probability 0.05 NaN", "| 0.1 ms more"}},
+      {"docs/command-line.md", {"a name of version 0.1"}},
+      {"docs/glossary.md", {"at most 1.5 times as many"}},
+      {"docs/identify.md",
+       {"5 % are missing, 5 % are spurious", "a factor of 1.5 may be wrong",
+        "+- 0.05 rad or 3 degrees", "and 1 % of all", "speeds of up to 2 % is fitted"}},
+      {"docs/impact-test.md",
+       {"friction is 50 % to 0.5 % below", "turns with 1 to 0.02 rad/s", "is 0.3 to 1e-4",
+        "by 1 % of the mean time", "more than 1 % of the mean time apart", "more than 1 % off"}},
+      {"docs/machine-files.md",
+       {"to 0.001 rad/s", "at 1.5 s", "| > 0 | 0.001 |", "| 0.003, 0.001 |", "| 1.5; 1 for",
+        "of 0.999999 or less"}},
+      {"docs/other-languages.md",
+       {"The wheel has 2.2 MB", "Python 3.9 or newer (tried: 3.11)", "glibc 2.35", "Ubuntu 22.04"}},
+      {"docs/plans-and-clusters.md", {"16 of 24 planned", "shard 2 of 3", "some 0.4 kB for a run"}},
+      {"docs/security.md", {"0.9^20 = 12 %"}},
+      {"docs/threshold-and-regimes.md",
+       {"uncertain by 5 %", "at most 1.5 times", "(0.01 rad/s in the long run, 0.001 in the window",
+        "between 1.1 and 2", "narrower than 2 % of the speed", "within 2 % of 1 rad/s",
+        "down to 0.1 % of the speed", "less than 1 % apart", "1.44, 2.87, 5, 10 and 17 rad/s"}},
+      {"docs/tutorial.md",
+       {"1.40 and 1.30 kg", "0.5 to 0.7 mm", "9.81 m/s²", "1.35 kg", "1.2 N at 60°", "√(9.81 m/s²",
+        "| 6.4 mm |", "first loud speed is 12.666 rad/s"}},
+  };
   static const std::vector<std::string> none;
   const auto found = all.find(file);
   return found == all.end() ? none : found->second;
@@ -315,14 +386,9 @@ std::string without_tested_parts(const std::string& file, std::string text) {
 }
 
 TEST(StatedResults, OfEveryDocumentAreOfTheReferenceOrDated) {
-  std::vector<std::string> files = {"README.md"};
-  for (const auto& entry : fs::directory_iterator(fs::path(RICOCHET_SOURCE) / "docs")) {
-    if (entry.path().extension() == ".md")
-      files.push_back("docs/" + entry.path().filename().string());
-  }
-  EXPECT_GT(files.size(), 15U);
-  for (const std::string& file : files) {
-    Document document(undated(without_tested_parts(file, committed_text(file))));
+  EXPECT_GT(documents().size(), 15U);
+  for (const std::string& file : documents()) {
+    Prose document(undated(without_tested_parts(file, repository_text(file))));
     state_results(file, document);
     for (const std::string& definition : definitions(file)) document.states(definition);
     EXPECT_EQ(document.figures_left(), "") << file;
@@ -330,8 +396,8 @@ TEST(StatedResults, OfEveryDocumentAreOfTheReferenceOrDated) {
 }
 
 TEST(StatedResults, ThatAreNeitherOfTheReferenceNorDatedAreFound) {
-  const auto left = [](const char* text) { return Document(undated(text)).figures_left(); };
-  EXPECT_EQ(left("# A\n\nIt is 95 % sure, `7 %`, [3.5](4.5.md), 1e-6, NLopt 2.7.1, C1, 12.\n"), "");
+  const auto left = [](const char* text) { return Prose(undated(text)).figures_left(); };
+  EXPECT_EQ(left("# A\n\nIt is 95 % sure, `7 %`, [a](4.5.md), 1e-6, NLopt 2.7.1, C1, 12.\n"), "");
   EXPECT_EQ(left("# A\n\nIt solves 7 %\nof 3 of 4, by 1.5.\n"), "7 % 3 of 4 1.5 ");
   EXPECT_EQ(left("# A\n\nOf 7 % (2026-11-25, version 0.2.0).\n\n| 8.5 |\n\n# B\n\n9.5\n"), "9.5 ");
 }

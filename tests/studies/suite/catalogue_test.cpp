@@ -1,6 +1,10 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "ricochet/error.h"
@@ -36,6 +40,31 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
   }
   EXPECT_EQ(measured, (std::map<std::string, std::int64_t>{
                           {"profile-wear-16-C4", 2}, {"top-speed-C1", 1}, {"hs-71", 1}}));
+}
+
+/// The number of problems and families that README and docs/benchmark-method.md name; pathological
+/// problems are counted apart.
+TEST(Catalogue, HasAsManyProblemsAsTheDocumentsSay) {
+  std::size_t problems = 0, families = 0, small = 0;
+  for (const Family& family : suite_families()) {
+    if (family.problems.front().hazardous) continue;
+    ++families;
+    problems += family.problems.size();
+    small += static_cast<std::size_t>(std::ranges::count_if(
+        family.problems, [](const Problem& problem) { return problem.dimension() <= 100; }));
+  }
+  const auto says = [](const char* file, const std::string& sentence) {
+    std::ifstream stream(std::string(RICOCHET_SOURCE "/") + file);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::ranges::replace(text, '\n', ' ');
+    EXPECT_THAT(text, testing::HasSubstr(sentence)) << file;
+  };
+  says("README.md", fmt::format("with problems of the literature, {} in all,", problems));
+  says("docs/benchmark-method.md",
+       fmt::format("ricochet has {} problems in {} families", problems, families));
+  says("docs/benchmark-method.md", fmt::format("`list problems` has all {}.", problems));
+  says("docs/benchmark-method.md", fmt::format("They are not among the {}:", problems));
+  says("docs/benchmark-method.md", fmt::format("takes the {} of up to 100 variables", small));
 }
 
 /// An ordinary plan must not hang, and an archive's plan of all problems keeps its meaning.

@@ -342,14 +342,19 @@ std::string inner_html(const pugi::xml_node& node) {
   return stream.str();
 }
 
+/// A heading's address: that of its section, its own, or that of the part which it names.
+std::string address_of(const pugi::xml_node& heading) {
+  const std::string around = heading.parent().attribute("id").value();
+  const bool is_name = is(heading, "h2") || around == anchor_of(text_of(heading));
+  return is_name ? around : heading.attribute("id").value();
+}
+
 void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
   for (const pugi::xml_node& node : from.children()) {
-    if (node.type() != pugi::node_element) continue;  // a line's end
-    if (is(node, "section")) {
+    if (is(node, "section") || is(node, "div")) {
       add_parts(node, parts);
     } else if (is_heading(node)) {
-      const auto of = is(node, "h2") ? node.parent() : node;
-      parts.push_back({text_of(node), of.attribute("id").value(), "", ""});
+      parts.push_back({text_of(node), address_of(node), "", ""});
     } else if (!parts.empty()) {
       parts.back().text += text_of(node) + " ";
       parts.back().prose += text_of(node, Tables::names) + " ";

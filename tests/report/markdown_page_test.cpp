@@ -208,7 +208,7 @@ TEST(MarkdownPage, HasTheNumbersOfItsChartsAndTheRunsOfAView) {
   const std::string& html = files.at("index.html");
   for (const char* part :
        {"class=\"chart-csv\">", "a,1,2\\n", "figure > script.chart-csv", "[\"\\u003c/script>\",1]",
-        "id=\"view-form\"", ".view-form {", "class RunTable", "class Choice", "class StepChart"}) {
+        "id=\"view-form\"", ".view-form {", "class RunTable", "class Choice", "class Chart"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_FALSE(files.contains("view-runs.csv"));
@@ -260,7 +260,7 @@ TEST(MarkdownPage, EndsTheCommand) {
   PageSource source = page("# T\n");
   source.keys["terminal"] = "cases, nothing, empty, speed";
   EXPECT_EQ(terminal_text(source, results()),
-            "\nid  threshold [rad/s]\nC1               8.05\nC2\n8.057\n");
+            "\n    threshold\nid    [rad/s]\nC1       8.05\nC2\n8.057\n");
 }
 
 }  // namespace

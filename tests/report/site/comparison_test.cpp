@@ -9,6 +9,7 @@
 
 #include "src/report/report.h"
 #include "src/report/results.h"
+#include "src/report/text.h"
 
 /// What the committed comparison says of who is first, in several places, is one thing.
 namespace ricochet::site {

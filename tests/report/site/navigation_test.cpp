@@ -18,7 +18,8 @@ std::vector<FoundReport> two_reports() {
 }
 
 std::string links_at(const std::string& here) {
-  return navigation(places_of(two_reports(), {{"Data", "Cite", "cite"}}), here);
+  return navigation(
+      places_of(two_reports(), {{"Data", "Cite", "cite"}, {"Solvers", "Beside", "beside"}}), here);
 }
 
 class LinkPages : public TemporaryFolder {};
@@ -34,7 +35,7 @@ TEST(Navigation, HasAWordForEachGroupThatLeadsToItsFirstPlace) {
 TEST(Navigation, ListsThePlacesOfTheOwnGroupAndMarksTheOwn) {
   const std::string links = links_at("comparison");
   EXPECT_THAT(links, HasSubstr("<a href=\"../comparison/index.html\" aria-current=\"page\">"));
-  EXPECT_THAT(links, HasSubstr("<a href=\"../cite/index.html\">Cite</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../beside/index.html\">Beside</a>"));
   EXPECT_THAT(links, Not(HasSubstr("Proof of the impacts: small")));
   EXPECT_THAT(links, HasSubstr("<a href=\"../comparison/count/index.html\">count</a>"));
   EXPECT_THAT(links, Not(HasSubstr("crumbs")));

@@ -346,18 +346,20 @@ void add_to(report::Results& results, const LevelStudy& study, const FidelityStu
     most = std::max(most, total.wrong);
     directions.add(study.plan.directions[d], total.coupled, total.wrong);
   }
+  const std::string others =
+      certain == speeds
+          ? ""
+          : fmt::format("; compliant walls settle {} of the {} others", resolved, speeds - certain);
   results.set(
       "levels-finding",
-      fmt::format("Hard walls give a certain count at {} of {} speeds of the paper's cases; "
-                  "compliant walls settle {} of the {} others.",
-                  certain, speeds, resolved, speeds - certain));
+      fmt::format("Hard walls give a certain count at {} of {} speeds of the paper's cases{}.",
+                  certain, speeds, others));
   results.set("planar",
               fmt::format("The second direction, across the track, changes {} of the counts in the "
                           "paper's cases, up to a lateral yarn pull of {:.2g} times that along the "
                           "track. Both sides of this comparison have the same friction.",
                           most == 0 ? "none" : fmt::format("at most {:.2g} %", 100 * most),
                           study.plan.directions.back()));
-  results.set("level-stiffness", study.plan.stiffness);
   results.add(std::move(levels));
   results.add(std::move(directions));
   results.add(levels_chart(study, walls));

@@ -451,11 +451,7 @@ void add_to(report::Results& results, const StabilityStudy& study) {
   for (const EdgeOrder& order : study.orders)
     orders.add(order.wall, order.expected, order.measured, order.error);
   results.set("stiff-finding", finding_of(study));
-  results.set("softest", study.plan.stiffnesses.front());
-  results.set("stiffest", study.plan.stiffnesses.back());
-  results.set("phases", study.plan.phases);
   results.set("rest-seconds", rest_seconds);
-  results.set("rest-tolerance", rest_tolerance);
   results.set("hard-method", study.hard.method);
   results.set("hard-right", runs_of(study.hard) - wrong_runs(study.hard));
   results.set("hard-steps", runs_of(study.hard));

@@ -250,7 +250,6 @@ void add_to(report::Results& results, const ThresholdStudy& study) {
                           "rad/s, {} do not. The cheapest is {}, with {:.2g} s a simulation.",
                           within, tried, fmt::join(study.plan.cases, ", "), found_within,
                           tried - within, cheapest, least.value_or(0)));
-  results.set("tolerance", found_within);
   results.add(sorted(std::move(table), {"-within", "seconds"}));
   results.add(thresholds_chart(study));
 }

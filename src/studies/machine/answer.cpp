@@ -13,12 +13,6 @@
 #include "src/studies/machine/design_parameters.h"
 #include "src/studies/machine/regime_tables.h"
 
-namespace ricochet::carrier_track {
-
-RICOCHET_FIELDS(Level, from, to, low, typical, high);
-
-}  // namespace ricochet::carrier_track
-
 namespace ricochet::studies::advice {
 
 namespace {
@@ -111,21 +105,52 @@ Json reason_of(const QuietSpeed& answer) {
 }
 
 std::string text_of_steps(const QuietSpeed& answer) {
-  if (answer.staircase.steps.empty()) {
-    return "The staircase has no step by half or more.\n";
-  }
-  const double main = answer.staircase.main_step()->omega;
-  std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
-  for (const Step& step : answer.staircase.steps) {
-    text += fmt::format(
-        "  {}: from at most {} to at least {} collisions; holds from {:.2f} to {:.2f} times it{}\n",
-        both_units(step.omega), step.below, step.above, 1 / step.reach, step.reach,
-        step.omega == main ? "  <- the most significant" : "");
-  }
-  return text;
+  if (answer.staircase.steps.empty()) return "The staircase has no step by half or more.\n";
+  return "Steps of the staircase (a step is louder by half, and by two collisions):\n" +
+         terminal_text_of(step_table(answer.staircase.steps));
 }
 
 }  // namespace
+
+Table step_table(const std::vector<Step>& steps) {
+  Table table{"steps",
+              {{"omega", "speed [rad/s]", ".3f"},
+               {"below", "collisions below, at most"},
+               {"above", "above, at least"},
+               {"reach", "holds up to [times its speed]", ".2f"},
+               {"significance", "", ".3f"},
+               {"first_loud", "first louder speed [rad/s]", ".3f"}}};
+  for (const Step& step : steps) {
+    table.add(rounded(step.omega), step.below, step.above, step.reach, step.significance,
+              step.first_loud);
+  }
+  return table;
+}
+
+Table level_table(const std::vector<carrier_track::Level>& levels) {
+  Table table{"levels",
+              {{"from", "from [rad/s]", ".2f"},
+               {"to", "to [rad/s]", ".2f"},
+               {"low", "fewest"},
+               {"typical", "median"},
+               {"high", "most"}}};
+  for (const carrier_track::Level& level : levels) {
+    table.add(level.from, level.to, level.low, level.typical, level.high);
+  }
+  return table;
+}
+
+Table around_table(const std::vector<CountThere>& around) {
+  Table table{"around",
+              {{"omega", "speed [rad/s]", ".3f"},
+               {"count", "collisions in the window"},
+               {"per_turn", "a turn", ".3g"},
+               {"certain", "certain", "mark"}}};
+  for (const CountThere& there : around) {
+    table.add(rounded(there.omega), there.count, there.per_turn, there.certain);
+  }
+  return table;
+}
 
 std::string known_part_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
@@ -248,31 +273,15 @@ std::string text_of(const QuietSpeedAnswer& output) {
 
 report::Json json_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
-  Json steps = Json::array();
-  for (const Step& step : answer.staircase.steps) {
-    steps.push_back({{"omega", rounded(step.omega)},
-                     {"below", step.below},
-                     {"above", step.above},
-                     {"reach", step.reach},
-                     {"significance", step.significance},
-                     {"first_loud", step.first_loud}});
-  }
-  Json around = Json::array();
-  for (const CountThere& there : answer.around) {
-    around.push_back({{"omega", rounded(there.omega)},
-                      {"count", there.count},
-                      {"per_turn", there.per_turn},
-                      {"certain", there.certain}});
-  }
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
   Json json = {{"regimes", json_rows_of(regime_table(answer.regimes))},
                {"fastest_quiet", rounded(answer.fastest_quiet)},
                {"fastest_quiet_rpm", Json()},
                {"limit", Json()},
-               {"steps", steps},
-               {"levels", answer.staircase.levels},
-               {"around", around},
+               {"steps", json_rows_of(step_table(answer.staircase.steps))},
+               {"levels", json_rows_of(level_table(answer.staircase.levels))},
+               {"around", json_rows_of(around_table(answer.around))},
                {"percent_for_one", moves},
                {"reason", reason_of(answer)},
                {"complete", output.is_complete()},

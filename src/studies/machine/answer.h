@@ -10,6 +10,7 @@
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
 #include "src/report/json.h"
+#include "src/report/table.h"
 
 namespace ricochet::studies::advice {
 
@@ -70,6 +71,11 @@ QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track
 
 /// A speed of a scan, a multiple of its step, without rounding errors in its last digits.
 std::optional<double> rounded(const std::optional<double>& speed);
+
+// The staircase of the counts, and the counts beside the answer, as tables.
+Table step_table(const std::vector<carrier_track::Step>& steps);
+Table level_table(const std::vector<carrier_track::Level>& levels);
+Table around_table(const std::vector<carrier_track::CountThere>& around);
 
 /// What is known if the answer is not complete, such as "nothing is known from 3.2 to 18 rad/s".
 std::string known_part_of(const QuietSpeedAnswer& output);

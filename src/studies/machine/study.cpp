@@ -26,45 +26,6 @@ using namespace carrier_track;
 using namespace advice;
 using report::Results;
 
-Table step_table(const std::vector<Step>& steps) {
-  Table table{"steps",
-              {{"omega", "speed [rad/s]", ".3f"},
-               {"below", "collisions below, at most"},
-               {"above", "above, at least"},
-               {"reach", "holds up to [times its speed]", ".2f"},
-               {"significance", "", ".3f"},
-               {"first_loud", "first louder speed [rad/s]", ".3f"}}};
-  for (const Step& step : steps) {
-    table.add(step.omega, step.below, step.above, step.reach, step.significance, step.first_loud);
-  }
-  return table;
-}
-
-Table level_table(const std::vector<carrier_track::Level>& levels) {
-  Table table{"levels",
-              {{"from", "from [rad/s]", ".2f"},
-               {"to", "to [rad/s]", ".2f"},
-               {"low", "fewest"},
-               {"typical", "median"},
-               {"high", "most"}}};
-  for (const carrier_track::Level& level : levels) {
-    table.add(level.from, level.to, level.low, level.typical, level.high);
-  }
-  return table;
-}
-
-Table around_table(const std::vector<CountThere>& around) {
-  Table table{"around",
-              {{"omega", "speed [rad/s]", ".3f"},
-               {"count", "collisions in the window"},
-               {"per_turn", "a turn", ".3g"},
-               {"certain", "certain", "mark"}}};
-  for (const CountThere& there : around) {
-    table.add(there.omega, there.count, there.per_turn, there.certain);
-  }
-  return table;
-}
-
 /// The change of each constant that would give a tenth more speed.
 Table change_table(const std::vector<Sensitivity>& all) {
   Table table{"changes",

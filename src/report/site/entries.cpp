@@ -172,7 +172,7 @@ std::vector<std::string> complete(const fs::path& site, const fs::path& referenc
     if (is_other || computed.contains(report.kind.name)) continue;
     Json data = report.data;
     data["made"]["reference"] = true;
-    if (there == data && fs::exists(folder / "index.html", none)) continue;
+    if (there && *there == data && fs::exists(folder / "index.html", none)) continue;
     copy_data(reference / report.folder, folder, data);
     const auto written = report::redraw_report(folder, folder);
     failures.insert(failures.end(), written.failures.begin(), written.failures.end());

@@ -94,10 +94,10 @@ void print_changes(const EntryChanges& changes) {
   std::vector<EntryChange> changed = changes.entries;
   const auto same = std::erase_if(changed, [](const EntryChange& one) { return one.same(); });
   if (!changed.empty()) {
-    print(only(change_table(changed),
-               {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
-                "dearer", "problems", "p", "sure", "version", "other_version"}),
-          false);
+    print_table(only(change_table(changed),
+                     {"solver", "formulation", "perturbation", "gradient_price", "ratio", "cheaper",
+                      "dearer", "problems", "p", "sure", "version", "other_version"}),
+                false);
   }
   if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
   if (changes.entries.empty()) {
@@ -130,7 +130,7 @@ int compare_stores(const std::string& first, const std::string& second, bool jso
     fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
   }
-  if (!families.empty()) print(family_table(families), false);
+  if (!families.empty()) print_table(family_table(families), false);
   print_changes(changes);
   return 0;
 }
@@ -195,7 +195,7 @@ int sample_problems(const SampleOptions& options) {
                report::list_of(families, [](const auto& one) { return json_of(one); }).dump(2));
     return 0;
   }
-  print(sample_table(families), false);
+  print_table(sample_table(families), false);
   Table drawn{"problems", {{"family"}, {"problem"}, {"difficulty", "", ".2f"}}};
   for (const SampledFamily& family : families) {
     for (const auto& [problem, difficulty] : family.problems) {
@@ -203,7 +203,7 @@ int sample_problems(const SampleOptions& options) {
     }
   }
   fmt::print("\n");
-  print(drawn, false);
+  print_table(drawn, false);
   return 0;
 }
 

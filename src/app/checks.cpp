@@ -198,7 +198,8 @@ int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {
               value_of(program, [](const auto& p) { return p.version; }),
               program ? Value() : Value(reason));
   }
-  print(options.json ? table : only(table, {"tool", "title", "version", "reason"}), options.json);
+  print_table(options.json ? table : only(table, {"tool", "title", "version", "reason"}),
+              options.json);
   return 0;
 }
 

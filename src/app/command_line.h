@@ -106,7 +106,7 @@ CLI::Option* add_value(CLI::App* command, const std::string& name, T& value,
 }
 
 /// Prints a table: as JSON, a list of objects, or for people, cut at the edge of a terminal.
-void print(const Table& table, bool json);
+void print_table(const Table& table, bool json);
 
 inline const char* name_of(carrier_track::Wall wall) {
   return wall == carrier_track::Wall::upper ? "upper" : "lower";

@@ -100,8 +100,8 @@ void print_estimate(const Estimate& e, double unit, const std::string& unit_name
              e.assumed ? fmt::format("  (file: {:.4g})", *e.assumed / unit) : "");
 }
 
-void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::string& name,
-           const std::string& solver) {
+void print_machine(const IdentifiedMachine& machine, const KnockLoss& loss, const std::string& name,
+                   const std::string& solver) {
   const KnockRecord& record = loss.record();
   const KnockUnknowns found = unknowns_at(machine.fit.x);
   fmt::print("{}: fitted to {} in {:.4g} s, {} strengths, the plate's angle {}\n", name,
@@ -190,7 +190,8 @@ int identify(const IdentifyOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_of(machine, loss, solver.name).dump(2));
   } else {
-    print(machine, loss, std::filesystem::path(options.scene_file).stem().string(), solver.name);
+    print_machine(machine, loss, std::filesystem::path(options.scene_file).stem().string(),
+                  solver.name);
   }
   report::require_none(plot.failures);
   if (!machine.complete) {

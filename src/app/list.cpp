@@ -96,9 +96,9 @@ int list_problems(const ListOptions& options) {
   }
   const Table table = problem_table(problems);
   if (!options.json) {
-    print(only(table,
-               {"problem", "dimension", "constraints", "equalities", "formulations", "best_known"}),
-          false);
+    print_table(only(table, {"problem", "dimension", "constraints", "equalities", "formulations",
+                             "best_known"}),
+                false);
     return 0;
   }
   Json rows = json_rows_of(table);
@@ -157,10 +157,10 @@ int list(const ListOptions& options) {
     throw InputError(fmt::format("{}: has problems alone, not {}", option, what));
   }
   if (asks) return list_problems(options);
-  print(what == "cases"     ? cases()
-        : what == "solvers" ? solvers()
-                            : interpretations(),
-        options.json);
+  print_table(what == "cases"     ? cases()
+              : what == "solvers" ? solvers()
+                                  : interpretations(),
+              options.json);
   return 0;
 }
 

@@ -90,7 +90,7 @@ int check_plan(const PlanOptions& options) {
       const Table table = option_table(v);
       fmt::print("{}: {} with {} of {} options:\n", v.name, v.of, table.rows.size(),
                  ricochet::options_of(v.of).size());
-      print(table, false);
+      print_table(table, false);
     }
     for (const std::string& program : programs) {
       fmt::print("run would start: {}\n", one_line(program));

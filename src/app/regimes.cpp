@@ -96,11 +96,11 @@ int regimes(const RegimesOptions& options) {
   }
   write_files({{options.plot, plot.svg}});
   if (options.json) {
-    print(regime_table(found), true);
+    print_table(regime_table(found), true);
   } else {
     if (!found.empty()) {
       fmt::print("{}: {}.\n", chosen.name, summary_of(found));
-      print(shown_regimes(found), false);
+      print_table(shown_regimes(found), false);
     }
     if (!complete) {
       fmt::print("{}", text_of(sampled_in_time(chosen.scene, reached, options.range.to,
@@ -283,7 +283,7 @@ int basins(const RegimesOptions& options) {
         chosen.name, chosen.scene.omega, found.starts,
         report::counted(static_cast<std::int64_t>(found.basins.size()), "motion"),
         1e3 * found.height, 1e3 * found.fastest, sampled.seed);
-    print(basin_table(found), false);
+    print_table(basin_table(found), false);
   }
   if (found.starts == *options.starts) return 0;
   return report_incomplete(

@@ -7,7 +7,7 @@
 
 namespace ricochet::cli {
 
-void print(const Table& table, bool json) {
+void print_table(const Table& table, bool json) {
   winsize size{};
   const bool is_terminal = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   fmt::print("{}", json ? json_rows_of(table).dump(2) + "\n"

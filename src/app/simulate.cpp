@@ -148,7 +148,7 @@ void print_features(const Scene& scene, const Recording& recording) {
                  {"-counts"});
   const std::size_t all = table.rows.size();
   table.rows.resize(std::min(all, shown));
-  cli::print(table, false);
+  print_table(table, false);
   if (all > shown) fmt::print("... and {} more; --format json lists all\n", all - shown);
 }
 

@@ -109,10 +109,10 @@ void print(const std::vector<ChosenScene>& scenes, const std::vector<Score>& sco
     return found && claimed ? Value(*found / *claimed - 1) : Value();
   };
   const Table known = where(score_table(scenes, scores), "complete", true);
-  cli::print(only(with(known, {"error", "error [%]", "+.1%"}, error),
-                  {"case", "threshold", "paper_threshold", "error", "first_loud", "quiet_count",
-                   "paper_quiet_count", "misclassified", "purity", "loudness", "examples"}),
-             false);
+  print_table(only(with(known, {"error", "error [%]", "+.1%"}, error),
+                   {"case", "threshold", "paper_threshold", "error", "first_loud", "quiet_count",
+                    "paper_quiet_count", "misclassified", "purity", "loudness", "examples"}),
+              false);
 }
 
 /// Prints the result of the paper's rule for a case.

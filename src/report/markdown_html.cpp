@@ -207,7 +207,7 @@ class Refiner {
     paragraph.set_name("figure");
     if (chart.width >= wide_chart) {
       put_attribute(paragraph, "class", "wide");
-      put_attribute(paragraph, "data-title", chart.title);
+      if (!chart.title.empty()) put_attribute(paragraph, "data-title", chart.title);
     }
     put_attribute(paragraph, "style", fmt::format("max-width: {}px", chart.width * 115 / 100));
     pugi::xml_node caption = paragraph.append_child("figcaption");

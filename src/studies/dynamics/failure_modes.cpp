@@ -355,9 +355,8 @@ void add_to(report::Results& results, const FailureModeStudy& study) {
   results.set("least-excess", std::pow(10.0, -study.plan.decades));
   results.set("elastic-impacts", study.plan.impacts);
   results.set("chaotic-runs", study.plan.starts);
-  results.set("chaotic-seconds", study.plan.seconds);
   results.set("rate-uncertainty", study.tight.front().rate.uncertainty);
-  results.set("methods-tried", study.tight.size());
+  results.set("modes", 4 + study.losses.size());
   results.add(std::move(table));
   results.add(graze_chart(study));
 }

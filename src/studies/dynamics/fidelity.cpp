@@ -104,7 +104,6 @@ std::string agreement(const FidelityTotal& total) {
 
 report::Chart walls_chart(const FidelityStudy& study) {
   report::Chart chart{.name = "fidelity",
-                      .title = "How many counts of compliant walls equal those of hard ones",
                       .x = {"stiffness [N/m^1.5]"},
                       .y = {"case"},
                       .heat_map = report::HeatMap{"equal [%]", {}, report::Range{0, 100}},
@@ -120,6 +119,12 @@ report::Chart walls_chart(const FidelityStudy& study) {
       row.push_back(share ? std::optional(std::round(100 * *share)) : std::nullopt);
     }
   }
+  const auto told = [&](std::size_t s) {
+    return fmt::format("{:.0f} % at {}", 100 * total_of(study, s).share().value_or(0),
+                       name_of(study.plan.stiffnesses[s]));
+  };
+  chart.title = fmt::format("Counts equal to those of hard walls: {}, {}", told(0),
+                            told(study.plan.stiffnesses.size() - 1));
   return chart;
 }
 
@@ -283,7 +288,6 @@ DirectionTotal direction_total(const LevelStudy& study, std::size_t d) {
 /// direction.
 report::Chart levels_chart(const LevelStudy& study, const FidelityStudy& walls) {
   report::Chart chart{.name = "levels",
-                      .title = "What the levels of the model cost, and whether their counts differ",
                       .x = {"processor time over that of hard walls", report::Scale::logarithmic},
                       .y = {"counts that differ from those of hard walls [%]"},
                       .width = 640,
@@ -306,6 +310,12 @@ report::Chart levels_chart(const LevelStudy& study, const FidelityStudy& walls) 
     most = std::max(most, direction_total(study, d).wrong);
   report::Series planar{
       "both directions", report::Mark::points, {{costs[costs.size() / 2], 100 * most}}};
+  chart.title =
+      fmt::format("Both directions differ from hard walls in {:.0f} % of the counts", 100 * most);
+  if (!compliant.samples.empty()) {
+    chart.title += fmt::format(", the softest walls in {:.0f} %, the stiffest in {:.0f} %",
+                               *compliant.samples.front().value, *compliant.samples.back().value);
+  }
   chart.series = {std::move(hard), std::move(planar), std::move(compliant)};
   return chart;
 }
@@ -346,18 +356,20 @@ void add_to(report::Results& results, const LevelStudy& study, const FidelityStu
     most = std::max(most, total.wrong);
     directions.add(study.plan.directions[d], total.coupled, total.wrong);
   }
+  const std::string others =
+      certain == speeds
+          ? ""
+          : fmt::format("; compliant walls settle {} of the {} others", resolved, speeds - certain);
   results.set(
       "levels-finding",
-      fmt::format("Hard walls give a certain count at {} of {} speeds of the paper's cases; "
-                  "compliant walls settle {} of the {} others.",
-                  certain, speeds, resolved, speeds - certain));
+      fmt::format("Hard walls give a certain count at {} of {} speeds of the paper's cases{}.",
+                  certain, speeds, others));
   results.set("planar",
               fmt::format("The second direction, across the track, changes {} of the counts in the "
                           "paper's cases, up to a lateral yarn pull of {:.2g} times that along the "
                           "track. Both sides of this comparison have the same friction.",
                           most == 0 ? "none" : fmt::format("at most {:.2g} %", 100 * most),
                           study.plan.directions.back()));
-  results.set("level-stiffness", study.plan.stiffness);
   results.add(std::move(levels));
   results.add(std::move(directions));
   results.add(levels_chart(study, walls));

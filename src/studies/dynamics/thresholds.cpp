@@ -170,7 +170,6 @@ constexpr double least_error_drawn = 1e-10;  // [rad/s], where the bisection end
 /// Time and error of every simulation; those of one method are joined.
 report::Chart thresholds_chart(const ThresholdStudy& study) {
   report::Chart chart{.name = "thresholds",
-                      .title = "Processor time and error of the fastest quiet speed",
                       .x = {"processor time of a simulation [s]", report::Scale::logarithmic},
                       .y = {"error of the fastest quiet speed [rad/s]", report::Scale::logarithmic},
                       .lines = {{report::Direction::horizontal, found_within, "solved"}},
@@ -184,6 +183,12 @@ report::Chart thresholds_chart(const ThresholdStudy& study) {
       chart.series.push_back({one.simulation, report::Mark::points, {}});
     chart.series.back().samples.push_back({all.seconds, std::max(*all.error, least_error_drawn)});
   }
+  const auto within = std::ranges::count_if(chart.series, [](const report::Series& series) {
+    return std::ranges::any_of(series.samples,
+                               [](const auto& sample) { return *sample.value <= found_within; });
+  });
+  chart.title = fmt::format("{} of {} levels and methods find the fastest quiet speed", within,
+                            chart.series.size());
   return chart;
 }
 
@@ -250,7 +255,6 @@ void add_to(report::Results& results, const ThresholdStudy& study) {
                           "rad/s, {} do not. The cheapest is {}, with {:.2g} s a simulation.",
                           within, tried, fmt::join(study.plan.cases, ", "), found_within,
                           tried - within, cheapest, least.value_or(0)));
-  results.set("tolerance", found_within);
   results.add(sorted(std::move(table), {"-within", "seconds"}));
   results.add(thresholds_chart(study));
 }

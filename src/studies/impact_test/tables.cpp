@@ -158,6 +158,13 @@ Table levels_table(const Results& results) {
   return sorted(std::move(table), {"own"});
 }
 
+/// Number of tools that miss or invent an impact in a kind of scenes.
+std::ptrdiff_t losing(const std::vector<Standing>& standings, std::size_t kind) {
+  return std::ranges::count_if(standings, [&](const Standing& one) {
+    return !one.measured->own && one.kinds[kind].value_or(0) > 0;
+  });
+}
+
 /// The kinds of scenes, with how many tools miss or invent an impact in each.
 Table kinds_table(const Results& results, const std::vector<Standing>& standings) {
   Table table{"kinds", {{"kind"}, {"what"}, {"harder"}, {"scenes"}, {"impacts"}, {"lost_by"}}};
@@ -169,10 +176,7 @@ Table kinds_table(const Results& results, const std::vector<Standing>& standings
       ++scenes;
       impacts += scored_impacts(s.scene, s.truth);
     }
-    table.add(kind.name, kind.what, kind.harder, scenes, impacts,
-              std::ranges::count_if(standings, [&](const Standing& one) {
-                return !one.measured->own && one.kinds[k].value_or(0) > 0;
-              }));
+    table.add(kind.name, kind.what, kind.harder, scenes, impacts, losing(standings, k));
   }
   return table;
 }
@@ -230,14 +234,22 @@ Chart over_time(const Results& results, Chart chart, const Get& get) {
 Chart kinds_chart(const std::vector<Standing>& standings) {
   Chart chart{
       .name = "kinds",
-      .title = "Missed or invented per 1,000 impacts, by kind of scene",
       .x = {"kind"},
       .y = {""},
       .heat_map = report::HeatMap{"per 1,000", {}, report::Range{0, 1000}},
       .width = 900,
       .height = 170 + 22 * static_cast<int>(standings.size()),
       .description = "Heat map of the impacts that each tool loses, over the kind of scene."};
-  for (const SceneKind& kind : scene_kinds()) chart.x.categories.push_back(kind.name);
+  const auto tools =
+      std::ranges::count_if(standings, [](const Standing& one) { return !one.measured->own; });
+  std::ptrdiff_t most = -1;
+  for (std::size_t k = 0; k < scene_kinds().size(); ++k) {
+    chart.x.categories.push_back(scene_kinds()[k].name);
+    if (losing(standings, k) <= most) continue;
+    most = losing(standings, k);
+    chart.title = fmt::format("{} of {} tools lose impacts in scenes of the kind {}", most, tools,
+                              scene_kinds()[k].name);
+  }
   for (auto one = standings.rbegin(); one != standings.rend(); ++one) {
     chart.y.categories.push_back(one->measured->tool.name);
     auto& row = chart.heat_map->rows.emplace_back();
@@ -245,6 +257,16 @@ Chart kinds_chart(const std::vector<Standing>& standings) {
       row.push_back(wrong ? std::optional(std::min(*wrong, 1000.0)) : std::nullopt);
   }
   return chart;
+}
+
+std::string losses_title(const std::vector<Standing>& standings) {
+  const auto told = [](const Standing& one) {
+    return fmt::format("{} loses {:.4g}", one.measured->tool.name, wrong_of(one.tally).value_or(0));
+  };
+  const auto best =
+      std::ranges::find_if(standings, [](const Standing& one) { return !one.measured->own; });
+  return told(standings.front()) + " of 1,000 impacts" +
+         (best == standings.end() ? "" : "; of the tools, " + told(*best));
 }
 
 std::string finding_of(const Results& results, const std::vector<Standing>& standings,
@@ -297,21 +319,23 @@ report::Results results_of(const Results& results) {
   all.add(std::move(missing));
   all.add(over_time(results,
                     {.name = "losses-over-time",
-                     .title = "What speed costs in impacts",
+                     .title = losses_title(standings),
                      .y = {"missed or invented, per 1,000"},
                      .lines = {{report::Direction::horizontal, least_wrong, "none"}}},
                     [&](const Tally& tally) {
                       const auto wrong = wrong_of(tally);
                       return wrong ? std::optional(std::max(*wrong, least_wrong)) : wrong;
                     }));
-  all.add(over_time(results,
-                    {.name = "error-over-time",
-                     .title = "What speed costs in accuracy",
-                     .y = {"error of time, in mean times between impacts"}},
-                    [](const Tally& tally) {
-                      const auto error = tally.time_error;
-                      return error ? std::optional(std::max(*error, 1e-16)) : error;
-                    }));
+  all.add(over_time(
+      results,
+      {.name = "error-over-time",
+       .title = fmt::format("ricochet's impact times are {:.0e} of the time between impacts off",
+                            standings.front().tally.time_error.value_or(0)),
+       .y = {"error of time, in mean times between impacts"}},
+      [](const Tally& tally) {
+        const auto error = tally.time_error;
+        return error ? std::optional(std::max(*error, 1e-16)) : error;
+      }));
   all.add(kinds_chart(standings));
   return all;
 }

@@ -72,13 +72,12 @@ TEST(SolverPages, CountProblemsSolvedByTheReturnedPointWithTheLargestBudget) {
   EXPECT_EQ(solvers[2].number("solved"), 0);
   EXPECT_EQ(solvers[2].text("fronts"), "");
   EXPECT_EQ(*part_of(all, "luck").value("summary"),
-            Value("It solved 0 of the 3 problems that it takes, each in at least one run. It is "
-                  "furthest behind on bowl-1 (0 %; chance-b 100 %)."));
+            Value("It solved 0 of the 3 problems that it takes. It is furthest behind on bowl-1 (0 "
+                  "%; chance-b 100 %)."));
   EXPECT_EQ(solvers[0].text("first"), "bowl");
   EXPECT_EQ(*part_of(all, "chance-a").value("summary"),
-            Value("It solved 2 of the 3 problems that it takes, each in at least one run. It is "
-                  "first by mean rank on bowl. It is furthest behind on bowl-1 (50 %; chance-b 100 "
-                  "%)."));
+            Value("It solved 2 of the 3 problems that it takes. It is first by mean rank on bowl. "
+                  "It is furthest behind on bowl-1 (50 %; chance-b 100 %)."));
 }
 
 TEST(SolverPages, HaveSuccessRateAndRunningTimeOfEachFamily) {

@@ -165,33 +165,6 @@ await Promise.all([lookAtRest(), lookAtRest()]);
 // ---- what moves on pages ----
 
 const visible = (page, selector) => page.$$eval(selector, (all) => all.filter((one) => one.checkVisibility()).length);
-const slide = (page, selector, value) => page.$eval(selector, (slider, to) => {
-  slider.value = to;
-  slider.dispatchEvent(new Event("input", {bubbles: true}));
-}, value);
-
-// Of the frames one is seen, whatever the slider says, and without a script the last.
-for (const name of pages.filter((file) => fs.readFileSync(path.join(folder, file), "utf8").includes('class="frames"'))) {
-  const still = await open(name, {script: false}), moving = await open(name);  // clicks go to the page in front
-  const groups = await moving.$$eval(".frames", (all) => all.map((frames, i) => { frames.id = `frames-${i}`; return frames.querySelectorAll("figure").length; }));
-  check(await visible(moving, ".frames label") > 0, `${name}: no slider is seen`);
-  check(await visible(still, ".frames label") === 0, `${name}: a slider that does nothing is seen without a script`);
-  check(await visible(still, ".frames figure") === 1, `${name}: without a script there is not one frame`);
-  for (const [group, frames] of groups.entries()) for (let frame = 0; frame < frames; ++frame) {
-    await slide(moving, `#frames-${group} input`, frame);
-    const shown = await moving.$$eval(`#frames-${group} figure`, (all) => all.map((figure) => !figure.hidden));
-    check(shown.every((seen, i) => seen === (i === frame)), `${name}: frame ${frame} of ${group} is not the one that is seen`);
-    const said = await moving.$eval(`#frames-${group} output`, (output) => output.textContent);
-    check(await moving.$eval(`#frames-${group} figure:not([hidden])`, (figure) => figure.dataset.frame) === said, `${name}: the slider says ${said}`);
-  }
-  check(await visible(moving, "details figure") === 0, `${name}: a fold is open`);
-  if (await moving.$("details")) {
-    await moving.click("details:has(figure) > summary");
-    check(await visible(moving, "details figure") > 0, `${name}: a fold does not open`);
-  }
-  await Promise.all([moving.close(), still.close()]);
-}
-
 // A machine's page.
 const machine = path.join(folder, "machine.toml"), advised = path.join(folder, "advice");
 fs.writeFileSync(machine, execFileSync(program, ["machine", "new"]));

@@ -40,12 +40,13 @@ inline FoundReport found_comparison() {
                           {{"family"},
                            {"budget"},
                            {"first"},
+                           {"tuned"},
                            {"returned"},
                            {"best"},
                            {"takes"},
                            {"problems"},
                            {"most"}}};
-  leaders.add("count", 100, "scan, count", 0.5, 0.8, 2, 2, std::nullopt);
+  leaders.add("count", 100, "scan, count", "", 0.5, 0.8, 2, 2, std::nullopt);
   results.add(std::move(leaders));
   FoundReport report = made_up("comparison", json_of(results), "comparison");
   report.headline->finding = "Found: all.";

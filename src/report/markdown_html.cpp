@@ -11,16 +11,12 @@
 
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
-#include "embedded/charts_script.h"
 #include "embedded/choose_script.h"
 #include "embedded/look.h"
 #include "embedded/sheet_template.h"
-#include "embedded/view_choice_script.h"
 #include "embedded/view_form.h"
 #include "embedded/view_look.h"
-#include "embedded/view_ranks_script.h"
-#include "embedded/view_runs_script.h"
-#include "embedded/view_script.h"
+#include "embedded/view_scripts.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -398,8 +394,7 @@ HtmlPage html_page(const std::string& markdown, const HtmlOptions& options) {
   if (!options.view.is_null()) {
     later[view_place] =
         with_slots(embedded::view_form, {{"data", json_in_script(options.view.dump())}});
-    scripts = {embedded::charts_script, embedded::view_runs_script, embedded::view_ranks_script,
-               embedded::view_choice_script, embedded::view_script};
+    for (const auto& [name, script] : embedded::view_scripts) scripts.emplace_back(script);
   }
   if (markdown.find("<!-- choose:") != std::string::npos)
     scripts.emplace_back(embedded::choose_script);

@@ -275,24 +275,25 @@ class Filler {
                     return line.find("{{") != std::string::npos;
                   });
     }
-    drop_vain_sections(all);
+    drop_empty_sections(all);
     std::vector<std::string> kept;
     for (const Made& made : all) kept.insert(kept.end(), made.blocks.begin(), made.blocks.end());
-    return without_empty_headings(std::move(kept));
+    return kept;
   }
 
-  /// Empties the sections, below headings of the second level on, that ask for something and have
-  /// nothing of it.
-  static void drop_vain_sections(std::vector<Made>& all) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
+  /// Empties the sections, below headings of the second level on, in which nothing is left, or that
+  /// ask for something and have nothing of it.
+  static void drop_empty_sections(std::vector<Made>& all) {
+    for (std::size_t i = all.size(); i-- > 0;) {
       if (all[i].level < 2) continue;
-      bool asks = false, has = false;
+      bool asks = false, has = false, is_left = false;
       std::size_t end = i + 1;
       for (; end < all.size() && (all[end].level == 0 || all[end].level > all[i].level); ++end) {
         asks = asks || all[end].asks;
         has = has || (all[end].asks && !all[end].blocks.empty());
+        is_left = is_left || !all[end].blocks.empty();
       }
-      if (!asks || has) continue;
+      if (is_left && (has || !asks)) continue;
       for (std::size_t k = i; k < end; ++k) all[k].blocks.clear();
     }
   }
@@ -378,18 +379,6 @@ class Filler {
   static std::size_t level_of(const std::string& block) {
     const std::size_t level = block.find_first_not_of('#');
     return level != std::string::npos && level > 0 && block[level] == ' ' ? level : 0;
-  }
-
-  static std::vector<std::string> without_empty_headings(std::vector<std::string> blocks) {
-    std::vector<std::string> kept;
-    for (std::size_t i = blocks.size(); i-- > 0;) {
-      const std::size_t level = level_of(blocks[i]);
-      const std::size_t next = kept.empty() ? 1 : level_of(kept.back());
-      if (level > 1 && (kept.empty() || (next > 0 && next <= level))) continue;
-      kept.push_back(std::move(blocks[i]));
-    }
-    std::ranges::reverse(kept);
-    return kept;
   }
 
   static void require_address(const std::string& id) {

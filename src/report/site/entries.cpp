@@ -100,7 +100,7 @@ FoundReport found(const fs::path& folder, const report::ReportKind& kind, Json d
   report.data = std::move(data);
   for (const std::string& page : pages) {
     const Json own = data_of(folder / page).value_or(Json::object());
-    report.pages.push_back({page, headline_of(own), pages_in(own)});
+    report.pages.push_back({page, headline_of(own)});
   }
   return report;
 }
@@ -172,6 +172,7 @@ std::vector<std::string> complete(const fs::path& site, const fs::path& referenc
     if (is_other || computed.contains(report.kind.name)) continue;
     Json data = report.data;
     data["made"]["reference"] = true;
+    if (there && *there == data && fs::exists(folder / "index.html", none)) continue;
     copy_data(reference / report.folder, folder, data);
     const auto written = report::redraw_report(folder, folder);
     failures.insert(failures.end(), written.failures.begin(), written.failures.end());

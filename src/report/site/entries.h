@@ -33,7 +33,6 @@ struct Headline {
 struct FoundPage {
   std::string folder;  ///< inside the report's folder
   std::optional<Headline> headline;
-  std::vector<std::string> pages = {};  ///< folders of pages inside its own
 };
 
 /// A report in a folder of a site.
@@ -57,8 +56,8 @@ std::vector<std::string> folders_of_data(const std::filesystem::path& site);
 std::vector<FoundReport> found_reports(const std::filesystem::path& site);
 
 /// Draws into a site what the reference has and the site has not computed, see Made::reference, so
-/// that the site is whole; a folder that has something else stays as it is. Returns a line for each
-/// chart that could not be drawn.
+/// that the site is whole; a folder that has the same data already, or something else, stays.
+/// Returns a line for each chart that could not be drawn.
 std::vector<std::string> complete(const std::filesystem::path& site,
                                   const std::filesystem::path& reference);
 

@@ -6,22 +6,13 @@
 #include <algorithm>
 #include <set>
 
-#include "embedded/charts_script.h"
 #include "embedded/citation.h"
-#include "embedded/live_controls.h"
 #include "embedded/live_default_machine.h"
 #include "embedded/live_look.h"
 #include "embedded/live_machine.h"
-#include "embedded/live_map_chart.h"
 #include "embedded/live_module.h"
-#include "embedded/live_page_script.h"
-#include "embedded/live_picture.h"
-#include "embedded/live_race.h"
-#include "embedded/live_sentences.h"
-#include "embedded/live_state.h"
+#include "embedded/live_scripts.h"
 #include "embedded/live_template.h"
-#include "embedded/live_window_charts.h"
-#include "embedded/live_workers.h"
 #include "embedded/look.h"
 #include "embedded/machine_sketch.h"
 #include "embedded/page_cite.h"
@@ -156,12 +147,7 @@ OwnFiles cite_page(const Results& site) {
 
 std::string live_page(const std::string& navigation) {
   std::string scripts;
-  for (const char* script : {embedded::charts_script, embedded::live_state, embedded::live_workers,
-                             embedded::live_picture, embedded::live_window_charts,
-                             embedded::live_map_chart, embedded::live_race, embedded::live_controls,
-                             embedded::live_sentences, embedded::live_page_script}) {
-    scripts += script;
-  }
+  for (const auto& [name, script] : embedded::live_scripts) scripts += script;
   return report::with_slots(embedded::live_template,
                             {{"navigation", navigation},
                              {"look", embedded::look},

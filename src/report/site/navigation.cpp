@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <system_error>
 
 #include "src/core/files.h"
@@ -37,14 +36,6 @@ std::string way_up(const std::string& here) {
   return up;
 }
 
-/// The parts of a path, of which the last may be a page's name: "a/b" has two.
-std::vector<std::string> parts_of(const std::string& path) {
-  std::vector<std::string> parts;
-  std::istringstream stream(path);
-  for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
-  return parts;
-}
-
 /// Where a link leads, seen from a page: it is that page, the page is inside of it, or neither.
 enum class Leads { here, around, away };
 
@@ -74,18 +65,13 @@ class LinksFrom {
 /// The way to a page inside a place, and the pages beside it.
 std::string inside_of(const Place& own, const std::string& here, const LinksFrom& from) {
   std::string html;
-  const auto inside = parts_of(here == own.folder ? "" : here.substr(own.folder.size() + 1));
-  if (!inside.empty()) {
-    html = "<p class=\"crumbs\">" + from.link(own.folder, own.label, Leads::away) + " › ";
-    if (inside.size() > 1)
-      html += from.link(own.folder + "/" + inside[0], inside[0], Leads::away) + " › ";
-    html += report::escape_html(inside.back()) + "</p>\n";
-  }
+  if (here != own.folder)
+    html = "<p class=\"crumbs\">" + from.link(own.folder, own.label, Leads::away) + " › " +
+           report::escape_html(here.substr(own.folder.size() + 1)) + "</p>\n";
   if (own.pages.empty()) return html;
   html += fmt::format("<details class=\"subpages\"><summary>{} pages of {}</summary>\n<ul>\n",
                       own.pages.size(), report::escape_html(own.label));
-  for (const std::string& page : own.pages)
-    html += from.item(own.folder + "/" + page, page, !inside.empty() && page == inside[0]);
+  for (const std::string& page : own.pages) html += from.item(own.folder + "/" + page, page, false);
   return html + "</ul>\n</details>\n";
 }
 
@@ -110,21 +96,13 @@ std::string navigation(const std::vector<Place>& places, const std::string& here
          "</nav>\n";
 }
 
-void link_pages(const fs::path& site, const std::vector<Place>& places,
-                const std::vector<FoundReport>& reports) {
+void link_pages(const fs::path& site, const std::vector<Place>& places) {
   const auto link = [&](const std::string& folder) {
     put_at(site / folder / "index.html", mark, navigation(places, folder));
   };
   for (const Place& place : places) {
     link(place.folder);
     for (const std::string& page : place.pages) link(place.folder + "/" + page);
-  }
-  for (const FoundReport& report : reports) {
-    for (const FoundPage& page : report.pages) {
-      for (const std::string& inner : page.pages) {
-        link(report.folder + "/" + page.folder + "/" + inner);
-      }
-    }
   }
 }
 

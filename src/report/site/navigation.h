@@ -30,10 +30,8 @@ std::vector<Place> places_of(const std::vector<FoundReport>& reports,
 /// A word of the navigation leads to the first place of its group.
 std::string navigation(const std::vector<Place>& places, const std::string& here);
 
-/// Inserts the links into the pages of all places and reports that have room for them. Throws
-/// OutputError.
-void link_pages(const std::filesystem::path& site, const std::vector<Place>& places,
-                const std::vector<FoundReport>& reports);
+/// Inserts the links into the pages of all places that have room for them. Throws OutputError.
+void link_pages(const std::filesystem::path& site, const std::vector<Place>& places);
 
 /// Replaces what stands between the comments <!-- mark --> and <!-- /mark --> of a written page. A
 /// page without them, or one that is missing, stays as it is.

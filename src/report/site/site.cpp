@@ -75,7 +75,7 @@ std::vector<std::string> written_site(const fs::path& folder, bool is_alone = fa
   report::add_files(below(folder, live_folder),
                     {{"index.html", live_page(navigation(places, live_folder))}});
   put_at(folder / "index.html", "navigation", navigation(places, ""));
-  link_pages(folder, places, reports);
+  link_pages(folder, places);
   failures.insert(failures.end(), front.failures.begin(), front.failures.end());
   return failures;
 }
@@ -134,8 +134,6 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The sketch of the machine, in docs/.
 constexpr const char* drawing = "machine.svg";
@@ -246,8 +244,6 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Throws InputError unless the folder may be overwritten.
 void require_own(const fs::path& from, const fs::path& folder) {

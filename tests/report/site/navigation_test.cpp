@@ -48,16 +48,6 @@ TEST(Navigation, OfAPageOfAReportLeadsBackToIt) {
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"page\""));
 }
 
-TEST(Navigation, OfAPageInAPageLeadsBackToBoth) {
-  const std::string links = links_at("comparison/count/count-C1");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../../../index.html\">ricochet</a>"));
-  EXPECT_THAT(links,
-              HasSubstr("<a href=\"../../../comparison/index.html\">All solvers</a> › "
-                        "<a href=\"../../../comparison/count/index.html\">count</a> › count-C1"));
-  EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"true\""));
-  EXPECT_THAT(links, Not(HasSubstr("aria-current=\"page\"")));
-}
-
 TEST(Navigation, OfTheFrontPageHasNoPagesOfReports) {
   const std::string links = links_at("");
   EXPECT_THAT(links, HasSubstr("<a href=\"index.html\" aria-current=\"page\">"));
@@ -69,27 +59,12 @@ TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
   keep(folder_, "comparison", Json::object());
   std::ofstream(page) << "a<!-- navigation -->old<!-- /navigation -->b";
   const std::vector<Place> places = places_of(two_reports(), {});
-  for (int times = 0; times < 2; ++times) link_pages(folder_, places, two_reports());
+  for (int times = 0; times < 2; ++times) link_pages(folder_, places);
   std::ifstream stream(page);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   EXPECT_EQ(text,
             "a<!-- navigation -->\n" + navigation(places, "comparison") + "<!-- /navigation -->b");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "small & fine"));
-}
-
-TEST_F(LinkPages, PutsTheLinksIntoPagesInPages) {
-  keep(folder_, "comparison", {{"report", "comparison"}, {"pages", {"count"}}});
-  keep(folder_ / "comparison", "count", {{"pages", {"count-C1", "../up"}}});
-  std::filesystem::create_directories(folder_ / "comparison/count/count-C1");
-  const auto page = folder_ / "comparison/count/count-C1/index.html";
-  std::ofstream(page) << "<!-- navigation --><!-- /navigation -->";
-  const auto reports = found_reports(folder_);
-  ASSERT_EQ(reports.size(), 1U);
-  EXPECT_EQ(reports[0].pages[0].pages, std::vector<std::string>{"count-C1"});
-  link_pages(folder_, places_of(reports, {}), reports);
-  std::ifstream stream(page);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  EXPECT_THAT(text, HasSubstr("› count-C1"));
 }
 
 }  // namespace

@@ -81,6 +81,15 @@ TEST_F(Site, IsWholeWithWhatTheReferenceHasWhichSaysSo) {
   EXPECT_FALSE(fs::exists(site / "verification")) << "this machine has one";
   EXPECT_FALSE(fs::exists(site / "fireworks/index.html")) << "somebody has something there";
 
+  // What is drawn stays until the reference changes.
+  std::ofstream(site / "surrogate/index.html") << "drawn";
+  write_site(site, reference);
+  EXPECT_EQ(page_text(site / "surrogate/index.html"), "drawn");
+  surrogate["made"]["date"] = "2032-02-03";
+  keep(reference, "surrogate", surrogate);
+  write_site(site, reference);
+  EXPECT_THAT(page_text(site / "surrogate/index.html"), HasSubstr("computed on 2032-02-03"));
+
   // This machine's own takes the place of the reference's.
   keep(site, "own", data_of("surrogate"));
   write_site(site, reference);

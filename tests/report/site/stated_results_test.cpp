@@ -276,6 +276,16 @@ void state_results(const std::string& file, Prose& document) {
   if (file == "docs/tutorial.md") document.states(error_of_the_fit());
 }
 
+TEST(StatedResults, OfTheFrontPageAndItsLikeAreFilledIn) {
+  static const std::regex filled("^---[^]*?\\n---\\n|\\{\\{[^}]*\\}\\}|\\[N/m\\^1\\.5\\]");
+  for (const char* page : {"front", "machines", "cite"}) {
+    const std::string text = repository_text(fmt::format("src/report/site/{}.md", page));
+    EXPECT_FALSE(text.empty());
+    EXPECT_EQ(Prose(std::regex_replace(text, filled, "")).numbers_left(), "") << page;
+  }
+  EXPECT_EQ(Prose(std::regex_replace("It is {{a:.2f}} of 3.", filled, "")).numbers_left(), "3 ");
+}
+
 TEST(StatedResults, OfHowLongCommandsTakeAreThoseOfTheReports) {
   Prose reports = part_of("docs/reports.md", "| command | report |", "| `run full` |");
   for (const auto& [command, folder] :

@@ -78,12 +78,6 @@ std::string in_both_units(double speed) {
   return fmt::format("{:.3f} rad/s ({:.2f} rpm)", speed, speed * 30 / std::numbers::pi);
 }
 
-/// Midway between two speeds a millirad/s apart, whose last digit may be rounded either way.
-auto HasMidpoint(double speed, const std::string& after = "") {
-  return testing::AnyOf(HasSubstr(in_both_units(speed - 1e-9) + after),
-                        HasSubstr(in_both_units(speed + 1e-9) + after));
-}
-
 TEST(Threshold, TellsAnEngineerWhereToStay) {
   const auto folder = fresh_folder();
   const auto file = write(folder, "machine.toml", call("scene --case C1").out).string();

@@ -43,6 +43,7 @@ class PathologicalRuns : public TemporaryFolder {
                           "test");
     plan.first_instance = 0;
     const Campaign campaign(plan, catalogue);
+    std::filesystem::remove(folder_ / "runs.sqlite");  // of an earlier call
     Store store = Store::create(folder_ / "runs.sqlite", campaign.description());
     make_runs(campaign, {}, store);
     return comparison_study(campaign, store).compute(false);

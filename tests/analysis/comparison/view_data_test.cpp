@@ -92,16 +92,5 @@ TEST(ViewData, SaysWhichProblemsAnEntryTakesIfNotAll) {
   EXPECT_EQ(taken, "10;01;") << "runs of other numbers are other entries";
 }
 
-TEST(ViewData, TellsTheReaderWhatThereIs) {
-  const report::Results view = view_of(two_bowls);
-  const Table& rows = *view.table("families");
-  ASSERT_EQ(rows.rows.size(), 1U);
-  EXPECT_EQ(rows[0].text("family"), "bowl");
-  EXPECT_EQ(rows[0].number("problems"), 2);
-  EXPECT_EQ(rows[0].number("entries"), 2);
-  EXPECT_EQ(rows[0].number("runs"), 8);
-  EXPECT_EQ(rows[0].text("budgets"), "100");
-}
-
 }  // namespace
 }  // namespace ricochet::studies::comparison

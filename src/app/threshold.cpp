@@ -136,7 +136,8 @@ void print_paper_rule(const ChosenScene& chosen, const Score& score, const ScanO
   }
   if (chosen.claim.threshold) {
     fmt::print("The paper has them divide at {} rad/s, with {} collisions below.\n",
-               *chosen.claim.threshold, report::text_or_dash(chosen.claim.quiet_count, "{}"));
+               *chosen.claim.threshold,
+               chosen.claim.quiet_count ? std::to_string(*chosen.claim.quiet_count) : "–");
   }
 }
 

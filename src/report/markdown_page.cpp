@@ -124,11 +124,12 @@ struct Scope {
   }
 
   const Value& value(const std::string& name) const {
+    static const Value missing;
     if (table != nullptr && name.starts_with(table->name + ".")) {
-      return (*table)[row][name.substr(table->name.size() + 1)];
+      const std::string column = name.substr(table->name.size() + 1);
+      return open() && !table->has(column) ? missing : (*table)[row][column];
     }
     if (const Value* found = find(&Results::value, name)) return *found;
-    static const Value missing;
     if (open()) return missing;
     throw std::logic_error(fmt::format("a page asks for {}, which the results do not have", name));
   }

@@ -22,7 +22,8 @@ struct Results {
   std::vector<Chart> charts = {};
   std::map<std::string, std::vector<Part>> parts = {};
   /// If true, a name that these results do not have is a missing value or an empty table, and no
-  /// error: the results are of several reports, of which some may not be there.
+  /// error: the results are of several reports, of which some may not be there, or of another
+  /// version.
   bool open = false;
 
   /// Sets a value to anything that value_of() takes. A value that may be missing must be set, too.

@@ -163,29 +163,6 @@ Table aggregated(const Table& table, const std::vector<std::string>& by,
 /// values in the columns `on`; missing values where there is none.
 Table joined(const Table& left, const Table& right, const std::vector<std::string>& on);
 
-/// The table of structs: a column for each field, with its unit. Members must be values.
-template <HasFields T>
-Table table_of(std::string name, const std::vector<T>& structs) {
-  Table table{std::move(name)};
-  const T example{};
-  visit_fields(
-      [&](const Field& field, const auto& /*member*/) {
-        const bool has_unit = !field.unit.empty() && field.unit != "1";
-        table.columns.push_back(
-            {std::string(field.key),
-             has_unit ? std::string(field.key) + " [" + std::string(field.unit) + "]" : ""});
-      },
-      example);
-  for (const T& entry : structs) {
-    std::vector<Value> row;
-    visit_fields(
-        [&](const Field& /*field*/, const auto& member) { row.push_back(value_of(member)); },
-        entry);
-    table.add_row(std::move(row));
-  }
-  return table;
-}
-
 /// What of a table is written: a table whose rows do not fit into memory is written by its head
 /// and, batch by batch, its rows.
 enum class Lines { all, head, rows };

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,12 +16,6 @@ std::string escape_html(std::string_view text);
 
 /// Escapes text as inline Markdown, also for a table's cell.
 std::string escape_markdown(std::string_view text);
-
-/// Formats the value with fmt's `form`, such as "{:.2f}"; a dash if it is missing.
-template <class T>
-std::string text_or_dash(const std::optional<T>& value, const char* form) {
-  return value ? fmt::format(fmt::runtime(form), *value) : "–";
-}
 
 /// "1 run", "2 runs", or with a plural of its own "2 entries".
 std::string counted(std::int64_t number, std::string_view noun, std::string_view plural = {});

@@ -7,6 +7,7 @@ import fs from "node:fs";
 import {createRequire} from "node:module";
 import path from "node:path";
 import {fileURLToPath, pathToFileURL} from "node:url";
+import {brokenWords, cutTexts, faintTexts, smallTargets, wrongNumbers} from "../report/site/page_checks.js";
 
 const [program, reports, folder] = process.argv.slice(2);
 const source = path.join(path.dirname(fileURLToPath(import.meta.url)), "../..");
@@ -296,11 +297,10 @@ for (const [scheme, width] of [["light", 1280], ["dark", 1280], ["light", 400]])
   await one.$$eval("details", (all) => all.forEach((part) => { part.open = true; }));
   const wide = await one.evaluate(() => document.documentElement.scrollWidth);
   check(wide <= width, `${wide} pixels wide on a screen of ${width}`);
-  const small = await one.$$eval("a, button, input:not([type=file]), select, summary, label", (all) => all.filter((part) => part.checkVisibility() && !part.closest(".skip")).map((part) => {
-    const {width: wide, height: high} = part.getBoundingClientRect();
-    return wide < 24 || high < 24 ? `${part.tagName} "${part.textContent.slice(0, 20)}" ${wide.toFixed(0)} x ${high.toFixed(0)}` : "";
-  }).filter(Boolean));
-  check(small.length === 0, `${scheme}, ${width}: targets below 24 pixels: ${small.join("; ")}`);
+  for (const looks of [smallTargets, brokenWords, cutTexts, faintTexts, wrongNumbers]) {
+    const found = await one.evaluate(looks);
+    check(found.length === 0, `${scheme}, ${width}: ${found.length} of ${looks.name}: ${found.slice(0, 5).join(" | ")}`);
+  }
   const near = await one.$$eval("nav.site .words a", (all) => all.map((part) => part.getBoundingClientRect()).filter((box, k, boxes) => k && box.top === boxes[k - 1].top && box.left - boxes[k - 1].right < 8).length);
   check(near === 0, `${scheme}, ${width}: ${near} words of the navigation are near the one before`);
   await one.evaluate(axe);

@@ -181,25 +181,5 @@ TEST(Table, IsAListOfObjectsInJson) {
   EXPECT_TRUE(rows[3]["gap"].is_null());
 }
 
-struct Fall {
-  double height;
-  std::optional<double> time;
-  std::string body;
-};
-template <class Visit, IsOf<Fall>... F>
-void visit_fields(const Visit& visit, F&... f) {
-  visit(Field{"height", "m"}, f.height...);
-  visit(Field{"time", "s"}, f.time...);
-  visit(Field{"body"}, f.body...);
-}
-
-TEST(Table, IsMadeOfStructsByTheListOfTheirFields) {
-  const Table table = table_of<Fall>("falls", {{2, 0.64, "ball"}, {1, {}, "cup"}});
-  EXPECT_EQ(table.columns[0].title, "height [m]");
-  EXPECT_EQ(table[0].number("time"), 0.64);
-  EXPECT_TRUE(is_missing(table[1]["time"]));
-  EXPECT_EQ(table[1].text("body"), "cup");
-}
-
 }  // namespace
 }  // namespace ricochet

@@ -137,16 +137,11 @@ double grazes_right(const Integrator& integrator, Strictness strictness, double 
 
 Sticking sticking_of(const Integrator& integrator, Strictness strictness, int decades) {
   Sticking sticking{};
-  Scene sliding = block();
-  sliding.start_velocity = 0.7;  // for 0.7 s and 0.7^2 / 2 m
-  sliding.window = Seconds{2};
-  const double control = control_of(integrator, strictness, 1);
-  const double way = 0.7 * 0.7 / 2;
-  sticking.stop_error = std::abs(integrator.run(sliding, control).end.position - way) / way;
   Scene pushed = block();
   pushed.pull = 0.9999;
   pushed.window = Seconds{10};
-  sticking.creep = std::abs(integrator.run(pushed, control).end.position) / 10;
+  sticking.creep =
+      std::abs(integrator.run(pushed, control_of(integrator, strictness, 1)).end.position) / 10;
   bool all = true;
   for (int k = 1; k <= decades && !sticking.gave_up; ++k) {
     const double excess = std::pow(10.0, -k);

@@ -38,8 +38,7 @@ double grazes_right(const carrier_track::Integrator& integrator, Strictness stri
 
 /// A block under dry friction and forces next to it.
 struct Sticking {
-  double stop_error;  ///< relative error of the distance at which a sliding block stops
-  double creep;       ///< [m/s], of a block pushed with 0.9999 of its friction
+  double creep;  ///< [m/s], of a block pushed with 0.9999 of its friction
   /// Least excess, of 1e-1, 1e-2, ..., of a peak of the force over friction for which (and for all
   /// larger ones) a block always breaks loose, whatever the time of the peak.
   std::optional<double> noticed;

@@ -96,10 +96,10 @@ LevelStudy study_levels(const LevelPlan& plan);
 /// compliant walls too.
 void add_to(report::Results& results, const LevelStudy& study, const FidelityStudy& walls);
 
-// The fastest quiet speed by every method of simulation: its cost and its error.
+// The top speed in the window by every method of simulation: its cost and its error.
 
-/// [rad/s] Largest error of the fastest quiet speed that counts as solved, as in problems of top
-/// speed.
+/// [rad/s] Largest error of the top speed in the window that counts as solved, as in problems of
+/// top speed.
 inline constexpr double found_within = 0.01;
 
 struct ThresholdPlan {

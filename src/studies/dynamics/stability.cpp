@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -53,33 +52,6 @@ Integrator find(const std::vector<Integrator>& integrators, const std::string& n
   return *found;
 }
 
-/// A body of 1 kg that approaches the wall at 0, of 1 N/m^n, with 1 m/s from `distance` [m].
-Scene one_impact(ContactLaw law, double exponent, double restitution, double distance) {
-  Scene scene;
-  scene.wall_upper = 100;
-  scene.start_position = distance;
-  scene.start_velocity = -1;
-  scene.restitution_lower = scene.restitution_upper = restitution;
-  scene.fidelity = Fidelity::compliant;
-  scene.contact_law = law;
-  scene.contact_exponent = exponent;
-  scene.contact_speed = 1;
-  scene.stiffness = 1;
-  return scene;
-}
-
-/// Runs a method through `one_impact` with a step of about `length` [s], whose phase at the wall is
-/// the i-th of `phases` that fill a step evenly. The steps vary by 10 %, so that the phase at the
-/// end of the contact varies too: otherwise errors of both edges could cancel, or add up.
-Outcome pass(const Integrator& method, ContactLaw law, double exponent, double restitution,
-             double length, int i, int phases) {
-  const double golden = std::fmod(i * std::numbers::phi, 1.0);
-  const double step = length * (0.95 + 0.1 * golden);
-  Scene scene = one_impact(law, exponent, restitution, 0.2 + step * (1 + (i + 0.5) / phases));
-  scene.window = Seconds{std::ceil((8 + 4 * length) / step) * step};
-  return method.run(scene, step * (1 + 1e-12));
-}
-
 /// A body of 1 kg on the surface of the lower wall, in a gap of 1 mm, pressed with 10 N.
 Scene resting_body(double stiffness) {
   Scene scene;
@@ -99,13 +71,13 @@ Scene resting_body(double stiffness) {
 
 StabilityPlan full_stability_plan() {
   StabilityPlan plan{powers_of_ten(6, 16, 1), powers_of_ten(-3, -7, -0.25),
-                     powers_of_ten(-3, -12, -1), 64};
+                     powers_of_ten(-3, -12, -1)};
   plan.steps.push_back(1e-8);
   return plan;
 }
 
 StabilityPlan quick_stability_plan() {
-  return {powers_of_ten(6, 16, 2), powers_of_ten(-3, -6, -0.5), powers_of_ten(-3, -9, -3), 16};
+  return {powers_of_ten(6, 16, 2), powers_of_ten(-3, -6, -0.5), powers_of_ten(-3, -9, -3)};
 }
 
 Behaviour behaviour_of(const Scene& scene, const Outcome& outcome, const Outcome& reference) {
@@ -161,66 +133,6 @@ Border border_of(const StabilityMap& map, const std::vector<double>& frequencies
   return border;
 }
 
-ReturnCurve return_curve(const Integrator& integrator, double exponent, int phases) {
-  ReturnCurve curve{integrator.name, exponent, {}};
-  const double frequency = peak_frequency(one_impact(ContactLaw::hertz, exponent, 1, 1), 1);
-  for (int k = 1; k <= 60; ++k) {
-    const double scaled = 0.05 * k;
-    double ratio = 0;
-    for (int i = 0; i < phases; ++i) {
-      const Outcome outcome =
-          pass(integrator, ContactLaw::hertz, exponent, 1, scaled / frequency, i, phases);
-      ratio = std::max(ratio, 1 + outcome.gained.value_or(-1));
-    }
-    curve.returns.push_back({scaled, ratio});
-  }
-  return curve;
-}
-
-std::optional<double> onset(const ReturnCurve& curve, double ratio) {
-  std::optional<double> first;
-  for (auto point = curve.returns.rbegin(); point != curve.returns.rend(); ++point) {
-    if (!(point->ratio > ratio)) break;
-    first = point->scaled_step;
-  }
-  return first;
-}
-
-std::vector<EdgeOrder> edge_orders(int phases) {
-  struct Kind {
-    const char* wall;
-    ContactLaw law;
-    double exponent, restitution, onset;
-  };
-  const std::vector<Kind> kinds = {
-      {"Kelvin-Voigt, restitution 0.5", ContactLaw::kelvin_voigt, 1, 0.5, 0},
-      {"linear spring, damping from zero on, 0.5", ContactLaw::exact_restitution, 1, 0.5, 1},
-      {"Hertz's spring, elastic", ContactLaw::hertz, 1.5, 1, 1.5}};
-  const Integrator method = find(penalty_integrators(), "runge-kutta-4");
-  constexpr int halvings = 6;
-  std::vector<EdgeOrder> orders;
-  for (const Kind& kind : kinds) {
-    EdgeOrder order{kind.wall, kind.onset + 1, 0, 0};
-    double xy = 0, xx = 0;
-    for (int k = 0; k < halvings; ++k) {
-      const double length = 0.1 * std::pow(0.5, k);
-      double error = 0;
-      for (int i = 0; i < phases; ++i) {
-        const Outcome outcome =
-            pass(method, kind.law, kind.exponent, kind.restitution, length, i, phases);
-        error += std::abs(outcome.end.velocity - kind.restitution) / phases;
-      }
-      if (k == 0) order.error = error;
-      const double x = k - 0.5 * (halvings - 1);
-      xy -= x * std::log2(error);
-      xx += x * x;
-    }
-    order.measured = xy / xx;
-    orders.push_back(order);
-  }
-  return orders;
-}
-
 RestCost rest_cost(const Integrator& integrator, const std::vector<double>& stiffnesses) {
   RestCost cost{integrator.name, {}};
   for (const double stiffness : stiffnesses) {
@@ -272,12 +184,6 @@ StabilityStudy study_stability(const StabilityPlan& plan) {
   for (const double step : plan.steps) {
     study.hard.cells[0].push_back(cell_of(moreau_jean, scene, step, reference));
   }
-  for (const char* name : {"semi-implicit-euler", "runge-kutta-4"}) {
-    for (const double exponent : {1.0, 1.5}) {
-      study.returns.push_back(return_curve(find(integrators, name), exponent, plan.phases));
-    }
-  }
-  study.orders = edge_orders(plan.phases);
   progress.advance(1);
   return study;
 }
@@ -375,31 +281,6 @@ Chart cost_chart(const StabilityStudy& study) {
   return chart;
 }
 
-Chart return_chart(const StabilityStudy& study) {
-  const ReturnCurve& first = study.returns.front();
-  const auto from = onset(first, 1 / 0.9);
-  Chart chart{.name = "stability-return",
-              .title = from ? fmt::format("An elastic wall returns a ninth too much from a step of "
-                                          "{:.2f}/w on ({})",
-                                          *from, first.method)
-                            : "What an elastic wall returns",
-              .x = {"step times frequency of the wall, h w"},
-              .y = {"speed after over speed before", Scale::logarithmic},
-              .width = 720,
-              .height = 360};
-  for (const char* method : {"semi-implicit-euler", "runge-kutta-4"}) {
-    chart.lines.push_back(
-        {report::Direction::vertical, *spring_bound(method), "bounds of theory, 2 and 2.83"});
-  }
-  for (const ReturnCurve& curve : study.returns) {
-    Series& series = chart.series.emplace_back(
-        Series{fmt::format("{}, force ~ depth^{}", curve.method, curve.exponent), Mark::line, {}});
-    for (const Return& point : curve.returns)
-      series.samples.push_back({point.scaled_step, point.ratio});
-  }
-  return chart;
-}
-
 std::string finding_of(const StabilityStudy& study) {
   std::vector<std::string> borders, failing;
   int wrong = 0, runs = 0;
@@ -450,19 +331,13 @@ void add_to(report::Results& results, const StabilityStudy& study) {
     part.results.add(map_chart(study, map));
     results.add("penalty", std::move(part));
   }
-  Table orders{"edge-orders",
-               {{"wall"}, {"expected", "", ".1f"}, {"measured", "", ".2f"}, {"error", "", ".1e"}}};
-  for (const EdgeOrder& order : study.orders)
-    orders.add(order.wall, order.expected, order.measured, order.error);
   results.set("stiff-finding", finding_of(study));
   results.set("rest-seconds", rest_seconds);
   results.set("hard-method", study.hard.method);
   results.set("hard-right", runs_of(study.hard) - wrong_runs(study.hard));
   results.set("hard-steps", runs_of(study.hard));
   results.add(std::move(table));
-  results.add(std::move(orders));
   results.add(cost_chart(study));
-  results.add(return_chart(study));
 }
 
 }  // namespace ricochet::studies::dynamics

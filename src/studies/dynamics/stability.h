@@ -7,8 +7,7 @@
 #include "problems/carrier_track/check/integrator.h"
 #include "src/report/results.h"
 
-/// Where penalty methods fail on stiff walls: maps over stiffness and step or tolerance, energy
-/// gained at a wall, and the order of convergence with an unlocated edge of contact.
+/// Where penalty methods fail on stiff walls: maps over stiffness and step or tolerance.
 namespace ricochet::studies::dynamics {
 
 /// The behaviour of a run compared with a reference; the last one that applies.
@@ -53,28 +52,6 @@ struct Border {
   double lowest_bad;    ///< of one that does
 };
 
-/// The largest ratio of the speeds after and before one impact on an elastic wall, over phases of
-/// the step; the exact value is 1.
-struct Return {
-  double scaled_step;  ///< h w, w at peak penetration
-  double ratio;
-};
-
-struct ReturnCurve {
-  std::string method;
-  double exponent;  ///< of the wall: 1 or 1.5
-  std::vector<Return> returns;
-};
-
-/// Order of convergence in the step of the speed after one impact, for Runge-Kutta 4 with an
-/// unlocated edge.
-struct EdgeOrder {
-  std::string wall;  ///< in words
-  double expected;   ///< n + 1, if the force initially grows as d^n
-  double measured;   ///< slope of ln(mean error over phases of the step) in ln(step)
-  double error;      ///< mean of |error| / speed at h w = 0.1
-};
-
 /// Cost of lying pressed on a wall for rest_seconds [s], at a tolerance of rest_tolerance.
 inline constexpr double rest_seconds = 0.3;
 inline constexpr double rest_tolerance = 1e-6;
@@ -91,7 +68,6 @@ struct StabilityPlan {
   std::vector<double> stiffnesses;  ///< [N/m^1.5]
   std::vector<double> steps;        ///< [s], falling
   std::vector<double> tolerances;   ///< falling
-  int phases;                       ///< of the step, for returns and orders
 };
 
 /// Decades of stiffness, quarters of a decade of the step; about 12 seconds.
@@ -106,9 +82,7 @@ struct StabilityStudy {
       frequencies;  ///< [rad/s], one for each stiffness: peak_frequency at its fastest impact
   std::vector<StabilityMap> maps;  ///< one for each penalty method
   StabilityMap hard;               ///< Moreau-Jean on hard walls: one row
-  std::vector<ReturnCurve> returns;
-  std::vector<EdgeOrder> orders;
-  std::vector<RestCost> rests;  ///< one for each adaptive method
+  std::vector<RestCost> rests;     ///< one for each adaptive method
 };
 
 /// The cheapest cell of a row from which on every tighter control counts right; nothing if the
@@ -117,10 +91,6 @@ std::optional<StabilityCell> cheapest_right(const std::vector<StabilityCell>& ro
 
 StabilityMap map_of(const carrier_track::Integrator& integrator, const StabilityPlan& plan);
 Border border_of(const StabilityMap& map, const std::vector<double>& frequencies);
-/// The smallest h w from which on a curve stays above `ratio`; nothing if its end is not above it.
-std::optional<double> onset(const ReturnCurve& curve, double ratio);
-ReturnCurve return_curve(const carrier_track::Integrator& integrator, double exponent, int phases);
-std::vector<EdgeOrder> edge_orders(int phases);
 RestCost rest_cost(const carrier_track::Integrator& integrator,
                    const std::vector<double>& stiffnesses);
 

@@ -114,7 +114,7 @@ std::vector<std::size_t> scenes_to_shrink(const Results& results, const Measured
 
 Broken shrunk(const ScoredScene& from, const Score& score, const Measured& measured,
               const Ask& ask) {
-  Broken broken{measured.tool.name, from.scene.kind, measured.level, from, from, score};
+  Broken broken{measured.tool.name, from.scene.kind, from, from, score};
   const auto end = std::chrono::steady_clock::now() + longest_shrinking;
   const auto breaks = [&](const ScoredScene& scored) {
     if (std::chrono::steady_clock::now() > end) return false;

@@ -37,7 +37,6 @@ struct Measured {
 /// The smallest scene of a kind that was found to break a tool.
 struct Broken {
   std::string tool, kind;
-  Level level;
   ScoredScene from, smallest;
   Score score;  ///< of the smallest
 };

@@ -224,8 +224,11 @@ const searching = await open("docs/index.html");
 await searching.type("#words", "quiet threshold");
 const hits = await searching.$$eval("#found a", (links) => links.map((link) => link.href));
 check(hits.length > 0 && fs.existsSync(fileURLToPath(hits[0].split("#")[0])), "the search finds nothing, or what is not there");
+await searching.$eval("#words", (field) => { field.value = "nlopt-cobyla"; field.dispatchEvent(new Event("input")); });
+check(await searching.$eval("#found a", (link) => link.href.endsWith("/comparison/solvers/index.html#nlopt-cobyla")), "the search does not find a solver by its name");
 await searching.$eval("#words", (field) => { field.value = "zzzz"; field.dispatchEvent(new Event("input")); });
 check((await searching.$$("#found a")).length === 0, "the search finds what is in no text");
+check(/^No /.test(await searching.$eval("#told", (told) => told.textContent)), "the search does not say that there is no hit");
 await searching.close();
 
 await browser.close();

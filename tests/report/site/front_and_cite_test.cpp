@@ -40,6 +40,15 @@ TEST(FrontPage, OfNoReportsSaysHowToMakeThem) {
                           Not(HasSubstr("Which solver, when?\n\n|"))));
 }
 
+TEST(FrontPage, LeavesOutWhatTheDataOfAnotherVersionLack) {
+  FoundReport older = found_comparison();
+  ricochet::Table leaders{"leaders", {{"family"}, {"budget"}}};
+  leaders.add("count", 100);
+  older.results->tables = {leaders};
+  EXPECT_THAT(front_page(site_results({older})).files.at("summary.md"),
+              AllOf(HasSubstr("Found: all."), HasSubstr("| count | 100 | ")));
+}
+
 TEST(FrontPage, TakesTheFirstReportOfAKind) {
   FoundReport second = found_comparison();
   second.folder = "other";

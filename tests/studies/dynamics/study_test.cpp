@@ -22,7 +22,7 @@ const report::Results& tiny() {
                                             5,
                                             {1, 1e-6, 1e2},
                                             {{6}, {1e12}},
-                                            {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}, 4},
+                                            {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}},
                                             {{6}, 4, 1},
                                             {2, 100, 2, 1},
                                             {9, {0, 1}, 1e10, 1},
@@ -56,7 +56,7 @@ TEST(DynamicsStudy, FillsItsPageAndDrawsItsCharts) {
   for (const char* chart :
        {"levels.svg", "fidelity.svg", "restitution.svg", "mild-work.svg", "very-stiff-work.svg",
         "thresholds.svg", "grazes.svg", "semi-implicit-euler-stability.svg", "stability-cost.svg",
-        "stability-return.svg", "lyapunov-digits.svg", "lyapunov-courses.svg"}) {
+        "lyapunov-digits.svg", "lyapunov-courses.svg"}) {
     EXPECT_TRUE(written.files.contains(chart)) << chart;
   }
   for (const Table& table : tiny().tables) {
@@ -120,9 +120,6 @@ TEST(DynamicsStudy, OfTheReferenceHoldsWhatThePageSays) {
     if (const auto bound = method.number_if("bound")) {
       EXPECT_LT(method.number("lowest_bad"), *bound);
     }
-  });
-  each_row(*reference().table("edge-orders"), [](const Row& order) {
-    EXPECT_NEAR(order.number("measured"), order.number("expected"), 0.15);
   });
   EXPECT_EQ(reference().table("thresholds")->rows.front()[0], Value("event-driven"));
   EXPECT_THAT(text(reference(), "chaos-finding"), HasSubstr("0 of 216 motions"));

@@ -139,6 +139,20 @@ TEST(ReferenceComparison, PromisesNoIntervalWhereAChartHasNone) {
   EXPECT_GT(captions, 20);
 }
 
+/// The page of Robustness says that most runs fail that restart where a problem does in a part of
+/// its box, even if they solved it before.
+TEST(ReferenceComparison, HasMostRunsFailOnProblemsThatDo) {
+  const Results page = results_in_folder(comparison / "robustness");
+  const Table& endings = *page.table("pathological");
+  for (const auto& [problem, ending] :
+       {std::pair("throws", "threw"), {"hangs", "killed"}, {"crashes", "crashed"}}) {
+    const Table rows = where(endings, "problem", "pathological-" + std::string(problem));
+    ASSERT_EQ(rows.rows.size(), 1U) << problem;
+    EXPECT_GT(rows[0].number(ending), 0.5 * rows[0].number("runs")) << problem;
+    EXPECT_GT(rows[0].number("found"), rows[0].number("solved")) << problem;
+  }
+}
+
 TEST(ReferenceComparison, IsReadInAnEvening) {
   int words = 0;
   each_page([&](const fs::path& folder) {

@@ -125,18 +125,18 @@ int charts_without(const Results& results, const std::string& name) {
 
 TEST(ReferenceComparison, PromisesNoIntervalWhereAChartHasNone) {
   static const std::regex captioned(R"(\{\{chart ([a-z-]+)\}\}([^\n]*))");
-  int captions = 0;
+  int promises = 0;
   each_page([&](const fs::path& folder) {
     const std::string kind = report::data_in(bytes_of(folder / "data.json")).at("report");
     const Results results = results_in_folder(folder);
     const std::string page = report::page_template(kind);
     for (std::sregex_iterator it(page.begin(), page.end(), captioned), end; it != end; ++it) {
-      ++captions;
       if ((*it)[2].str().find("interval") == std::string::npos) continue;
+      ++promises;
       EXPECT_EQ(charts_without(results, (*it)[1]), 0) << folder << ": " << (*it)[1];
     }
   });
-  EXPECT_GT(captions, 20);
+  EXPECT_GT(promises, 0);
 }
 
 /// The page of Robustness says that most runs fail that restart where a problem does in a part of

@@ -347,6 +347,7 @@ std::string address_of(const pugi::xml_node& heading) {
 
 void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
   for (const pugi::xml_node& node : from.children()) {
+    if (node.type() != pugi::node_element) continue;  // a line's end
     if (is(node, "section") || is(node, "div")) {
       add_parts(node, parts);
     } else if (is_heading(node)) {

@@ -168,8 +168,22 @@ class Writer {
  private:
   static constexpr std::size_t longest_line = 120;
 
+  /// NOTE: dump() does not always write the fewest digits, but 0.024140000000000002 for 0.02414.
+  static std::string on_one_line(const Json& data) {
+    if (data.is_number_float() && std::isfinite(data.get<double>()))
+      return fmt::format("{}", data.get<double>());
+    if (!data.is_structured()) return data.dump();
+    std::string text = data.is_object() ? "{" : "[";
+    for (const auto& [name, value] : data.items()) {
+      if (text.size() > 1) text += ',';
+      if (data.is_object()) text += Json(name).dump() + ":";
+      text += on_one_line(value);
+    }
+    return text + (data.is_object() ? "}" : "]");
+  }
+
   void write(const Json& data) {
-    std::string line = data.dump();
+    std::string line = on_one_line(data);
     if (line.size() <= longest_line || !data.is_structured()) {
       text_ += line;
     } else if (data.is_object()) {

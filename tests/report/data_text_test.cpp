@@ -35,6 +35,12 @@ TEST(DataText, HasNullForWhatIsNoNumber) {
   EXPECT_TRUE(rounded(std::numeric_limits<double>::infinity(), 6).is_null());
 }
 
+TEST(DataText, HasTheFewestDigits) {
+  EXPECT_EQ(Json(0.02414).dump(), "0.024140000000000002") << "else this test is not needed";
+  EXPECT_EQ(json_text({{"a", {0.02414, -1e-12, 1.5e300, 2, "x", nullptr}}, {"b", Json::object()}}),
+            "{\"a\":[0.02414,-1e-12,1.5e+300,2,\"x\",null],\"b\":{}}\n");
+}
+
 TEST(DataText, IsReadBackAndHasNoLongLine) {
   Json data = {{"rows", Json::array()}, {"plain", Json::array()}};
   for (int i = 0; i < 300; ++i) {

@@ -59,7 +59,9 @@ TEST_F(Site, IsWholeWithWhatTheReferenceHasWhichSaysSo) {
   surrogate["made"]["date"] = "2031-02-03";
   surrogate["pages"] = {"inner"};
   keep(reference, "surrogate", surrogate);
-  keep(reference / "surrogate", "inner", verification_data());
+  Json inner = verification_data();
+  inner.erase("made");
+  keep(reference / "surrogate", "inner", inner);
   keep(reference, "verification", verification_data());
   keep(reference, "fireworks", data_of("fireworks"));
   keep(site, "mine", verification_data());

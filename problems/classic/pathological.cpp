@@ -97,6 +97,7 @@ Problem cliff() {
   problem.residuals = nullptr;
   problem.true_values = nullptr;
   problem.best_point = Vector{{centre, 0}};
+  problem.provenance = fmt::format("{}: at least 0 on both sides, and 0 there", closed_form);
   problem.rotates = false;
   return problem;
 }

@@ -264,10 +264,17 @@ class Refiner {
 
   void arrange(pugi::xml_node table) {
     std::vector<std::string> titles;
-    for (pugi::xml_node cell : table.child("thead").child("tr").children("th")) {
+    std::vector<pugi::xml_node> heads;
+    for (const pugi::xml_node& cell : table.child("thead").child("tr").children("th"))
+      heads.push_back(cell);
+    for (pugi::xml_node& cell : heads) {
       titles.push_back(text_of(cell));
       align(cell, "columnheader");
-      put_attribute(cell, "scope", "col");
+      if (titles.back().empty()) {
+        cell.set_name("td");  // heads nothing
+      } else {
+        put_attribute(cell, "scope", "col");
+      }
     }
     const std::string labels = column_labels(titles);
     if (!labels.empty()) {

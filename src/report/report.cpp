@@ -101,7 +101,8 @@ WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& fol
   std::vector<std::string> failures;
   try {
     const Json data = data_in(text);
-    const Json own = data.value("made", made);
+    Json own = made;
+    own.update(data.value("made", Json::object()));
     for (const std::string& name : pages_of(data)) {
       const WrittenReport further = redraw(from / name, own, below(folder, name));
       failures.insert(failures.end(), further.failures.begin(), further.failures.end());

@@ -151,8 +151,10 @@ std::size_t width_of(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// A title in lines no wider than `room` or its widest word.
+/// A title in lines no wider than `room`, its widest word or a usual number.
 std::vector<std::string> in_lines(const std::string& title, std::size_t room) {
+  constexpr std::size_t usual = 9;
+  room = std::max(room, usual);
   std::vector<std::string> words;
   std::istringstream text(title);
   for (std::string word; text >> word;) words.push_back(word);

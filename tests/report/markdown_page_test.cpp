@@ -226,6 +226,9 @@ TEST(MarkdownPage, NamesTheRowsAndTheCellsOfATable) {
               HasSubstr("<table class=\"folding\" style=\"--1:&quot;a&quot;;--2:&quot;b&quot;;"
                         "--3:&quot;c&quot;;--4:&quot;d&quot;;\">"));
   EXPECT_THAT(html, HasSubstr("<th class=\"left\" scope=\"row\">1</th>"));
+  EXPECT_THAT(page_files(page("# Title\n\n|  | b |\n|:--|--:|\n| 1 | 2 |\n"), results())
+                  .files.at("index.html"),
+              HasSubstr("<td class=\"left\"></td>"));  // an empty cell heads nothing
 }
 
 TEST(MarkdownPage, ComesBackFromItsData) {

@@ -126,10 +126,10 @@ TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
   EXPECT_THAT(latex_of(table), testing::StartsWith("\\begin{tabular}{llrr}\n"));
   table.columns[0].title = "the solver";
   EXPECT_THAT(terminal_text_of(where(table, "solver", value_of("a"))),
-              testing::StrEq("the                gap\n"
-                             "solver  problem  [m/s]  solved\n"
-                             "a       p         1.25      no\n"
-                             "a       q                  yes\n"));
+              testing::StrEq("the\n"
+                             "solver  problem  gap [m/s]  solved\n"
+                             "a       p             1.25      no\n"
+                             "a       q                      yes\n"));
 }
 
 TEST(Table, IsCutAtTheEdgeOfATerminal) {

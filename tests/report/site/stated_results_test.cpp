@@ -314,7 +314,7 @@ std::string durations_in(const std::string& markdown) {
       "(not run:|\\$ \\./ricochet [^\n#]*#)[^\n]*\\b(second|minute|hour)s?\\b");
   static const std::regex sentence(
       "`[a-z][a-z-]*( "
-      "[^`]*)?`[^.`]{0,40}\\b(takes?|took)\\s[^.`]{0,20}\\b(s|seconds?|minutes?|hours?)\\b");
+      "[^`]*)?`[^.`]{0,40}\\b(takes?|took)\\s[^.`]{0,20}\\s(s|seconds?|minutes?|hours?)\\b");
   std::string found;
   for (const std::regex* pattern : {&remark, &sentence}) {
     for (std::sregex_iterator it(markdown.begin(), markdown.end(), *pattern), end; it != end; ++it)

@@ -13,7 +13,7 @@ const near = (a, rounded, digits) => Math.abs(a - rounded) <= 0.51 * 10 ** (Math
 // Numbers of contestants as the page's script has them, under what a link chooses.
 const computed = (page, link) => page.evaluate((text) => {
   const complaint = choice.follow(text), {contestants, problems} = contestantsOf(table, choice);
-  return {complaint, problems, contestants: contestants.map(({results, ...one}) => ({...one, taken: results.size}))};
+  return {complaint, problems, contestants: contestants.map(({results, ...one}) => ({...one, taken: results.size, runs: [...results.values()].reduce((sum, {outcomes}) => sum + outcomes.length, 0)}))};
 }, String(new URLSearchParams(link)));
 
 // The cells of the heat maps of a page that lead to runs: {link, state of the view, value in %}, and what lies where.
@@ -164,8 +164,8 @@ export const checkView = async ({open, check, folder, program}) => {
       const {contestants, complaint} = await computed(page, {family: own.family, perturbation, budget: rows[0].budget, formulation: "all"});
       for (const row of complaint === "" ? rows : []) {
         const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
-        check(!one || one.taken !== row.problems || near(one.share, row[perturbation], 3), `view of ${own.family} under ${perturbation}: ${row.solver} has ${one?.share}, in the table ${row[perturbation]}`);
-        if (one && one.taken === row.problems) ++disturbed;
+        check(!one || one.runs !== row.runs || near(one.share, row[perturbation], 3), `view of ${own.family} under ${perturbation}: ${row.solver} has ${one?.share}, in the table ${row[perturbation]}`);
+        if (one && one.runs === row.runs) ++disturbed;
       }
     }
   }

@@ -253,7 +253,7 @@ TEST(ReproductionResults, AreEnoughToDrawThePageAgain) {
   const report::WrittenReport written = report::write_report(kept_data(), folder / "first");
   EXPECT_EQ(written.failures, std::vector<std::string>());
   EXPECT_EQ(report::redraw_report(folder / "first", folder / "second").epilogue, written.epilogue);
-  EXPECT_THAT(written.epilogue, HasSubstr("root-mean-square error in log speed"));
+  EXPECT_THAT(written.epilogue, HasSubstr("root mean square in log speed"));
   const auto first = files_of(folder / "first");
   EXPECT_TRUE(first.contains("index.html"));
   EXPECT_TRUE(first.contains("thresholds.csv"));

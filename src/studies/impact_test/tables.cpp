@@ -242,7 +242,8 @@ Chart kinds_chart(const std::vector<Standing>& standings) {
       .description = "Heat map of the impacts that each tool loses, over the kind of scene."};
   const auto tools =
       std::ranges::count_if(standings, [](const Standing& one) { return !one.measured->own; });
-  std::ptrdiff_t most = -1;
+  chart.title = "Missed or invented per 1,000 impacts, by kind of scene";
+  std::ptrdiff_t most = 0;
   for (std::size_t k = 0; k < scene_kinds().size(); ++k) {
     chart.x.categories.push_back(scene_kinds()[k].name);
     if (losing(standings, k) <= most) continue;

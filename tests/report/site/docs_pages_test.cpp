@@ -67,7 +67,7 @@ TEST_F(DocsPages, CanBeSearchedWithTheReports) {
   fs::create_directories(folder_ / "proof");
   std::ofstream(folder_ / "proof/summary.md")
       << "# Proof\n\n<!-- part: nlopt-cobyla x -->\n\n### nlopt-cobyla\n\nPowell's.\n\n"
-         "#### Where?\n\nThere.\n\n| a |\n|:--|\n| cell |\n";
+         "#### Where?\n\nThere.\n\n| a | b |\n|:--|:--|\n| row | cell |\n";
   std::ofstream(folder_ / "proof/index.html") << "<div id=\"nlopt-cobyla\"></div>";
   write_docs_pages(folder_, {report});
   const std::string page = document_text(folder_ / "docs/index.html");

@@ -352,6 +352,12 @@ std::string address_of(const pugi::xml_node& heading) {
   return is_name ? around : heading.attribute("id").value();
 }
 
+/// Appends a text without the ends of its lines.
+void append_words(const std::string& text, std::string& to) {
+  std::istringstream words(text);
+  for (std::string word; words >> word;) to += word + " ";
+}
+
 void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
   for (const pugi::xml_node& node : from.children()) {
     if (node.type() != pugi::node_element) continue;  // a line's end
@@ -360,8 +366,8 @@ void add_parts(const pugi::xml_node& from, std::vector<PagePart>& parts) {
     } else if (is_heading(node)) {
       parts.push_back({text_of(node), address_of(node), "", ""});
     } else if (!parts.empty()) {
-      parts.back().text += text_of(node) + " ";
-      parts.back().prose += text_of(node, Tables::names) + " ";
+      append_words(text_of(node), parts.back().text);
+      append_words(text_of(node, Tables::names), parts.back().prose);
     }
   }
 }

@@ -255,8 +255,7 @@ report::Results solvers_page(const Campaign& campaign, const std::vector<CellRes
     part.results.set("settings", settings_sentence(name));
     part.results.set("ends", text_if_any(ends_of(where(terminations, "solver", name))));
     std::string summary =
-        fmt::format("It solved {} of the {} problems that it takes.",
-                    solved, own.rows.size());
+        fmt::format("It solved {} of the {} problems that it takes.", solved, own.rows.size());
     if (!firsts.empty()) summary += fmt::format(" It is first by mean rank on {}.", firsts);
     for (const auto& more : {joint_sentence(name, speed_accuracy), failure_sentence(own)})
       if (more) summary += " " + *more;

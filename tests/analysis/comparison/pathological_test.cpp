@@ -38,9 +38,9 @@ class PathologicalRuns : public TemporaryFolder {
       if (problem.longest_run) problem.longest_run = 0.3;
     }
     catalogue.solvers = {walker("careful", false), walker("careless", true)};
-    Plan plan = plan_from("[[part]]\nproblems = " + problems +
-                              "\nsolvers = \"*\"\nbudgets = [10]\ninstances = 1\n",
-                          "test");
+    Plan plan = plan_from(
+        "[[part]]\nproblems = " + problems + "\nsolvers = \"*\"\nbudgets = [10]\ninstances = 1\n",
+        "test");
     plan.first_instance = 0;
     const Campaign campaign(plan, catalogue);
     std::filesystem::remove(folder_ / "runs.sqlite");  // of an earlier call

@@ -88,7 +88,7 @@ TEST(FireworksStudy, FillsItsPage) {
   EXPECT_TRUE(written.failures.empty());
   EXPECT_TRUE(written.files.contains("shift.svg"));
   EXPECT_THAT(written.files.at("summary.md"), HasSubstr("| fireworks | Sphere |"));
-  EXPECT_THAT(written.files.at("index.html"), HasSubstr("<!-- comparison -->"));
+  EXPECT_THAT(written.files.at("index.html"), HasSubstr("<a href=\"../comparison/index.html\">comparison</a>"));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(FolderLock, HasASecondCallSayThatThereIsAFirst) {
   const auto folder = fresh_folder() / "report";
   const FolderLock first(folder);
   for (const std::string command :
-       {"reproduce --quick --out ", "calibrate --quick --out ", "problems --out ",
+       {"reproduce --quick --out ", "calibrate --quick --out ", "surrogate --quick --out ",
         "report " RICOCHET_SOURCE "/reports/reference/reproduction --out "}) {
     expect_refusal(command + folder.string(), "another ricochet is at work there");
   }

@@ -173,6 +173,9 @@ const drawRuns = (result) => {
   ], rows);
 };
 
+// First is who has the least mean rank, here as everywhere.
+const ahead = {rank: "is first", budget: "solves most", target: "has the least PAR10"};
+
 const sentence = (ordered, problems) => {
   const all = ordered.filter((one) => one.complete), [first, second] = ordered;
   if (!first) return "No entry is left.";
@@ -185,7 +188,7 @@ const sentence = (ordered, problems) => {
     ? " The intervals overlap: the runs do not tell which is better." : "";
   const [least] = inOrder(ordered, "rank"), other = choice.order !== "rank" && least.rank && least !== first
     ? ` By mean rank ${least.name} is first, on ${least.results.size} of ${problems} problem${problems === 1 ? "" : "s"}: ${rank(least)}.` : "";
-  return `${first.name} is first on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
+  return `${first.name} ${ahead[choice.order]} on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
     `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure}${other} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 

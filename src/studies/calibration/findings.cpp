@@ -121,17 +121,21 @@ Table left_out_of(const std::vector<Prediction>& predictions) {
                {"error", "error [%]", ".1%"},
                {"lower", "from [%]", ".1%"},
                {"upper", "to [%]", ".1%"},
-               {"worst", "worst [%]", "+.1%"}}};
+               {"worst", "worst [%]", "+.1%"},
+               {"missing", "no threshold"}}};
   for (const LeftOut what : all_left_out) {
-    const std::vector<double> errors = errors_of(predictions_without(what, predictions));
+    const std::vector<Prediction> some = predictions_without(what, predictions);
+    const std::vector<double> errors = errors_of(some);
     if (errors.empty()) continue;
     std::vector<std::vector<double>> alone;
     for (const double error : errors) alone.push_back({error});
     const Interval interval = interval_of(alone);
     const double worst =
         *std::ranges::max_element(errors, {}, [](double error) { return std::abs(error); });
+    const auto missing =
+        std::ranges::count_if(some, [](const Prediction& p) { return !p.predicted.has_value(); });
     table.add(what, groups_of(what).size(), root_mean_square(errors), interval.lower,
-              interval.upper, worst);
+              interval.upper, worst, missing);
   }
   return table;
 }

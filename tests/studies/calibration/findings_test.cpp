@@ -119,6 +119,15 @@ TEST(Findings, CountARefitForEachGroup) {
   EXPECT_NEAR(table[3].number("worst"), std::log(1.4), 1e-12);
 }
 
+TEST(Findings, CountThresholdsThatAFitDoesNotGive) {
+  Results results = some_results();
+  results.predictions.back().predicted.reset();
+  const Table table = *findings_of(results).table("left-out");
+  EXPECT_EQ(table[0].number("missing"), 0);
+  EXPECT_EQ(table[3].number("missing"), 1);
+  EXPECT_NEAR(table[3].number("worst"), std::log(2.0), 1e-12) << "it counts as one of ln 2";
+}
+
 TEST(Findings, SayWhatTheCurveOfFixedConstantsReads) {
   Results results = some_results();
   results.converged[0][0].appraisal.threshold_error = 0.0123;

@@ -26,7 +26,9 @@ bool is_left(const Table& table, std::size_t column) {
 }
 
 std::string csv_cell(const Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  if (is_missing(value)) return "";
+  if (const auto* number = std::get_if<double>(&value)) return fmt::to_string(*number);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::to_string(*whole);
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "1" : "0";
   return csv_field(label(one_line(text_of(value))));
 }

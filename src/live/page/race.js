@@ -31,7 +31,7 @@ class Race {
     const seen = new IntersectionObserver(([{isIntersecting}]) => {
       if (!isIntersecting || !this.steps) return;
       seen.disconnect();
-      if (!this.still) this.run(true);
+      if (!this.still && this.shown <= 1) this.run(true);  // nobody has moved it yet
     }, {threshold: 0.6});
     seen.observe(this.lanes.svg);
     setInterval(() => {

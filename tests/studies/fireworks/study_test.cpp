@@ -88,7 +88,8 @@ TEST(FireworksStudy, FillsItsPage) {
   EXPECT_TRUE(written.failures.empty());
   EXPECT_TRUE(written.files.contains("shift.svg"));
   EXPECT_THAT(written.files.at("summary.md"), HasSubstr("| fireworks | Sphere |"));
-  EXPECT_THAT(written.files.at("index.html"), HasSubstr("<a href=\"../comparison/index.html\">comparison</a>"));
+  EXPECT_THAT(written.files.at("index.html"),
+              HasSubstr("<a href=\"../comparison/index.html\">comparison</a>"));
 }
 
 }  // namespace

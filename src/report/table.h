@@ -140,7 +140,7 @@ Table sorted(Table table, const std::vector<std::string>& by);
 /// Adds a column of what `make` returns for each row.
 Table with(Table table, Column column, const std::function<Value(const Row&)>& make);
 
-/// What aggregate() computes of the values of a column in a group.
+/// What aggregated() computes of the values of a column in a group.
 struct Aggregate {
   Column column;   ///< the result's
   std::string of;  ///< the column whose values are taken; may be empty for count_of

@@ -81,7 +81,7 @@ Table rating_table(std::string name, const std::vector<Rating>& ratings, std::si
 
 Chart runtime_ecdf(const std::string& family, std::int64_t budget,
                    const std::vector<Rating>& ratings) {
-  constexpr std::size_t told = 5, shown = 6;  // more lines than this cannot be told apart, or seen
+  constexpr std::size_t told = 5, shown = 6;  // more lines cannot be distinguished, or seen
   std::vector<Series> first, paper, rest;
   std::set<std::string> drawn;
   for (const Rating& rating : ratings) {

@@ -27,7 +27,7 @@ constexpr int landscape_points = 25;  // per edge of a box
 using Factors = std::map<std::string, std::set<double>>;
 
 /// The factors of these machines that have several levels. None if there are no more machines than
-/// such factors: they could not be told apart.
+/// such factors: they could not be distinguished.
 Factors factors_of(const std::vector<const Problem*>& problems) {
   Factors factors;
   std::set<std::string> machines;

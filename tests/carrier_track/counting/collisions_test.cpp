@@ -10,7 +10,6 @@
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "src/studies/surrogate/continuity.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/suite/exploratory_scene.h"
 
@@ -213,38 +212,6 @@ TEST(Collisions, SurrogateIsContinuousWhereAnImpactIsBorn) {
     EXPECT_LT(jump, 3 * std::sqrt(8 * distance));
     EXPECT_GT(jump, 0.0);
   }
-}
-
-TEST(Collisions, SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps) {
-  RandomScenes draws(22);
-  const auto cases = all_cases();
-  int jumps = 0;
-  double worst = 0;
-  for (std::size_t i = 0; i < 600; ++i) {
-    Scene start = scene_of(cases[i % cases.size()], exploratory_scene());
-    start.omega = draws.within(1.0, 17.0);
-    start.friction = draws.within(0.05, 0.45);
-    start.restitution_lower = draws.within(0.05, 0.9);
-    const double faster = draws.within(-0.5, 0.5);
-    const double rougher = draws.within(-0.02, 0.02);
-    const double livelier = draws.within(-0.05, 0.05);
-    const double wider = draws.within(-0.05, 0.05) * start.wall_upper;
-    const auto value_at = [&](double t, double smoothing) {
-      Scene scene = start;
-      scene.omega += t * faster;
-      scene.friction += t * rougher;
-      scene.restitution_lower += t * livelier;
-      scene.wall_upper += t * wider;
-      return objective(scene, smoothing);
-    };
-    jumps += studies::surrogate::largest_jump([&](double t) { return value_at(t, 0.0); }) >= 1;
-    worst = std::max(worst,
-                     studies::surrogate::largest_jump([&](double t) { return value_at(t, 0.25); }));
-  }
-  EXPECT_GT(jumps, 300);
-  EXPECT_LT(worst, 1e-7);
-  testing::Test::RecordProperty("segments_where_the_count_jumps", jumps);
-  testing::Test::RecordProperty("largest_jump", std::to_string(worst * 1e12) + "e-12");
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include "src/studies/surrogate/derivative_check.h"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/suite/machine.h"
+#include "src/studies/surrogate/study.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -54,51 +53,64 @@ Vector at(double x) {
   return Vector::Constant(1, x);
 }
 
-TEST(DerivativeCheck, ComparesAlongADirectionOfTheUnitBox) {
+std::string cause(const Problem& problem, double point) {
+  return derivatives_at("", problem, at(point), at(1))[0].text("cause");
+}
+
+/// How many rows of a function have a cause.
+std::size_t with_cause(const Table& table, const char* function, const char* cause) {
+  return where(where(table, "function", value_of(function)), "cause", value_of(cause)).rows.size();
+}
+
+TEST(Derivatives, AreComparedAlongADirectionOfTheUnitBox) {
   Vector point(2), direction(2);
   point << 0.75, 0.5;  // x = 1.5, y = 1
   direction << 0.6, -0.8;
-  const auto found = compare(polynomial("polynomial-C3"), point, direction);
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(found[0].exact, 1 * 2 * 0.6 + 3 * 4 * -0.8, 1e-14);
-  EXPECT_NEAR(found[0].difference, found[0].exact, 1e-10);
-  EXPECT_NEAR(found[1].exact, 1 * 2 * 0.6 + 1.5 * 4 * -0.8, 1e-14);
-  EXPECT_NEAR(found[1].difference, found[1].exact, 1e-10);
-  EXPECT_EQ(found[0].cause, Cause::none);
+  const Table found = derivatives_at("", polynomial("polynomial-C3"), point, direction);
+  ASSERT_EQ(found.rows.size(), 2U);
+  EXPECT_NEAR(found[0].number("exact"), 1 * 2 * 0.6 + 3 * 4 * -0.8, 1e-14);
+  EXPECT_NEAR(found[0].number("difference"), found[0].number("exact"), 1e-10);
+  EXPECT_NEAR(found[1].number("exact"), 1 * 2 * 0.6 + 1.5 * 4 * -0.8, 1e-14);
+  EXPECT_NEAR(found[1].number("difference"), found[1].number("exact"), 1e-10);
+  EXPECT_EQ(found[0].text("cause"), "none");
 }
 
-TEST(DerivativeCheck, FindsAWrongDerivative) {
+TEST(Derivatives, ThatAreWrongAreFound) {
   Problem wrong = polynomial("wrong-C1");
   wrong.differentiate = [right = wrong.differentiate](const Vector& x) {
     Derivatives d = right(x);
     d.jacobian(0, 1) *= 1 + 1e-4;
     return d;
   };
-  const DerivativeCheckStudy study = study_derivative_check({{family_of(wrong)}, 200, 1});
-  ASSERT_EQ(study.rows.size(), 2U);
-  EXPECT_EQ(study.rows[0].by_cause[static_cast<std::size_t>(Cause::none)], 200U);
-  EXPECT_GT(study.rows[1].by_cause[static_cast<std::size_t>(Cause::unexplained)], 180U);
-  EXPECT_EQ(study.unexplained.size(),
-            study.rows[1].by_cause[static_cast<std::size_t>(Cause::unexplained)]);
+  const Table table = derivatives({family_of(wrong)}, 200, 1);
+  EXPECT_EQ(with_cause(table, "objective", "none"), 200U);
+  EXPECT_GT(with_cause(table, "constraints", "unexplained"), 180U);
+  report::Results results;
+  add_derivatives(results, table);
+  EXPECT_EQ(results.table("unexplained")->rows.size(),
+            with_cause(table, "constraints", "unexplained"));
+  EXPECT_EQ((*results.table("derivatives"))[1].number("derivatives"), 200);
+  EXPECT_EQ(*results.value("unexplained-outliers"),
+            (*results.table("derivatives"))[1]["unexplained"]);
 }
 
-TEST(DerivativeCheck, ExplainsACornerByTheReachAlone) {
+TEST(Derivatives, AtACornerAreExplainedByTheReachAlone) {
   const double near = 0.5 + 0.5e-7;  // shorter than the shortest step
-  EXPECT_EQ(compare(corner(true), at(near), at(1))[0].cause, Cause::reach);
-  EXPECT_EQ(compare(corner(false), at(near), at(1))[0].cause, Cause::unexplained);
-  EXPECT_EQ(compare(corner(false), at(0.7), at(1))[0].cause, Cause::none);
+  EXPECT_EQ(cause(corner(true), near), "reach");
+  EXPECT_EQ(cause(corner(false), near), "unexplained");
+  EXPECT_EQ(cause(corner(false), 0.7), "none");
 }
 
-TEST(DerivativeCheck, CallsASlopeOfNextToNothingFlat) {
+TEST(Derivatives, OfNextToNothingAreFlat) {
   Problem flat = corner(false);
   flat.evaluate = [](const Vector& x) { return Values{5 + 1e-10 * x[0], {}}; };
   flat.differentiate = [](const Vector& x) {
     return Derivatives{{5 + 1e-10 * x[0], {}}, Vector::Constant(1, 3e-10), Matrix(0, 1)};
   };
-  EXPECT_EQ(compare(flat, at(0.7), at(1))[0].cause, Cause::flat);
+  EXPECT_EQ(cause(flat, 0.7), "flat");
 }
 
-TEST(DerivativeCheck, CallsWhatADifferenceCannotTellRounding) {
+TEST(Derivatives, ThatDifferencesCannotTellAreRounding) {
   Problem coarse = corner(false);  // x, to seven digits
   coarse.evaluate = [](const Vector& x) {
     return Values{1.37e-7 * std::round(x[0] / 1.37e-7), {}};
@@ -106,31 +118,24 @@ TEST(DerivativeCheck, CallsWhatADifferenceCannotTellRounding) {
   coarse.differentiate = [](const Vector& x) {
     return Derivatives{{x[0], {}}, Vector::Constant(1, 1.0), Matrix(0, 1)};
   };
-  const DerivativeCheckStudy study = study_derivative_check({{family_of(coarse)}, 1000, 1});
-  const auto& by_cause = study.rows[0].by_cause;
-  EXPECT_GT(by_cause[static_cast<std::size_t>(Cause::rounding)], 700U);
-  EXPECT_EQ(by_cause[static_cast<std::size_t>(Cause::reach)], 0U);
+  const Table table = derivatives({family_of(coarse)}, 1000, 1);
+  EXPECT_GT(with_cause(table, "objective", "rounding"), 700U);
+  EXPECT_EQ(with_cause(table, "objective", "reach"), 0U);
 }
 
-TEST(DerivativeCheck, HoldsForTheSurrogateOfTheCases) {
+TEST(Derivatives, OfTheCasesSurrogatesHoldOnAnyNumberOfThreads) {
   using namespace carrier_track;
-  const std::vector<Machine> machines = all_machines();
   Problem without = polynomial("without-derivatives");
   without.differentiate = nullptr;
-  const std::vector<Family> of_machines = families_of(machines);
+  const std::vector<Family> of_machines = families_of(all_machines());
   const std::vector<Family> families = {of_machines[0], of_machines[1], family_of(without)};
-  const DerivativeCheckStudy study = study_derivative_check({families, 72, 7});
-  EXPECT_EQ(study.families, 2U);
-  EXPECT_EQ(study.points, 72U);
-  ASSERT_EQ(study.rows.size(), 3U);
-  for (const DerivativeErrors& row : study.rows) {
-    EXPECT_EQ(row.errors.size(), 36U);
-    EXPECT_EQ(row.by_cause[static_cast<std::size_t>(Cause::unexplained)], 0U) << row.family;
-    EXPECT_LT(row.errors[18], 1e-10) << row.family;
-  }
+  const Table table = derivatives(families, 72, 7);
+  ASSERT_EQ(table.rows.size(), 36U + 2 * 36U);
+  EXPECT_TRUE(where(table, "cause", value_of("unexplained")).rows.empty());
+  each_row(aggregated(table, {"family", "function"}, {{{"half"}, "relative", median_of}}),
+           [](const Row& row) { EXPECT_LT(row.number("half"), 1e-10) << row.text("family"); });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const DerivativeCheckStudy single = study_derivative_check({families, 72, 7});
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(study.rows[k].errors, single.rows[k].errors);
+  EXPECT_EQ(derivatives(families, 72, 7).rows, table.rows);
 }
 
 }  // namespace

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "problems/carrier_track/counting/staircase.h"
-#include "problems/carrier_track/counting/threshold.h"
-#include "ricochet/machine.h"
-#include "src/analysis/comparison/group.h"
-#include "src/analysis/comparison/solver_pages.h"
-#include "src/studies/reproduction/sections.h"
+#include "src/analysis/statistics/intervals.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -52,11 +48,9 @@ Table threshold_table(const std::vector<CaseStudy>& cases) {
   return table;
 }
 
-Chart threshold_chart(const Findings& findings, const std::string& error) {
+Chart threshold_chart(const std::vector<CaseStudy>& cases, const std::string& title) {
   Chart chart{.name = "thresholds",
-              .title = fmt::format("By the paper's rule the thresholds are {} from the paper's, "
-                                   "after fitting {} parameters",
-                                   error, findings.interpretation.free.size()),
+              .title = title,
               .x = {.label = "case"},
               .y = {.label = "threshold [rad/s]",
                     .scale = report::Scale::logarithmic,
@@ -65,7 +59,7 @@ Chart threshold_chart(const Findings& findings, const std::string& error) {
                          {"computed by its rule", Mark::points, {}},
                          {"end of two a turn in the long run", Mark::points, {}}},
               .width = 640};
-  for (const CaseStudy& c : findings.cases) {
+  for (const CaseStudy& c : cases) {
     const auto at = static_cast<double>(chart.x.categories.size());
     chart.x.categories.push_back(c.the_case.id);
     const std::optional<double> speeds[] = {c.the_case.claim.threshold, c.score.threshold,
@@ -77,11 +71,31 @@ Chart threshold_chart(const Findings& findings, const std::string& error) {
   return chart;
 }
 
+/// The errors ln(computed / paper's threshold) of the cases that have both.
+std::vector<std::vector<double>> errors_of(const Table& thresholds, const char* column) {
+  std::vector<std::vector<double>> errors;
+  each_row(thresholds, [&](const Row& row) {
+    const auto computed = row.number_if(column), paper = row.number_if("paper_threshold");
+    if (computed && paper) errors.push_back({std::log(*computed / *paper)});
+  });
+  return errors;
+}
+
+/// Their root mean square.
+std::optional<double> error_of(const Table& thresholds, const char* column) {
+  std::vector<double> errors;
+  for (const auto& error : errors_of(thresholds, column)) errors.push_back(error.front());
+  return errors.empty() ? std::nullopt : std::optional(root_mean_square(errors));
+}
+
 /// Which of the speeds in the paper's figures come out on its side.
-std::string told_examples(const std::vector<CaseStudy>& cases, const Agreement& agreement) {
+std::string told_examples(const std::vector<CaseStudy>& cases) {
+  int examples = 0, right = 0;
   std::string wrong;
   for (const CaseStudy& c : cases) {
     for (const Example& e : c.score.examples) {
+      ++examples;
+      right += e.right;
       if (e.right) continue;
       wrong += fmt::format("{}{} at {} rad/s ({} collisions, shown {})",
                            wrong.empty() ? " On the wrong side: " : ", ", c.the_case.id, e.omega,
@@ -91,63 +105,44 @@ std::string told_examples(const std::vector<CaseStudy>& cases, const Agreement& 
   return fmt::format(
       "Of the {} speeds that the paper's figures show as quiet or loud, {} come out on the paper's "
       "side.{}{}",
-      agreement.examples, agreement.right, wrong, wrong.empty() ? "" : ".");
-}
-
-/// The root mean square of ln(border / paper's threshold).
-std::optional<double> error_of(const std::vector<CaseStudy>& cases,
-                               std::optional<double> LongRunBorders::*border) {
-  std::vector<double> errors;
-  for (const CaseStudy& c : cases) {
-    const std::optional<double>& speed = c.borders.*border;
-    if (speed && c.the_case.claim.threshold)
-      errors.push_back(std::log(*speed / *c.the_case.claim.threshold));
-  }
-  if (errors.empty()) return {};
-  return root_mean_square(errors);
+      examples, right, wrong, wrong.empty() ? "" : ".");
 }
 
 }  // namespace
 
-std::vector<QuietCase> quiet_cases(const std::vector<CaseStudy>& cases) {
-  std::vector<QuietCase> quiet;
-  for (const CaseStudy& c : cases) quiet.push_back({c.the_case, c.borders.quiet});
-  return quiet;
-}
-
-void add_thresholds(const Findings& findings, Results& results) {
-  const Agreement agreement = agreement_of(findings.cases);
-  const std::string error =
-      fmt::format("{:.0f} %{}", 100 * agreement.relative_error,
-                  agreement.interval ? fmt::format(" (95 % interval {:.0f} to {:.0f} %)",
-                                                   100 * agreement.interval->lower,
-                                                   100 * agreement.interval->upper)
-                                     : "");
-  const std::size_t fitted = findings.interpretation.free.size();
-  results.set(
-      "finding",
-      fmt::format("The computed thresholds differ from the paper's by {}, root mean "
-                  "square in log speed, after fitting {} parameters to the same thresholds; {} of "
-                  "10 can be compared.",
-                  error, fitted, agreement.thresholds));
-  results.set("examples", told_examples(findings.cases, agreement));
-  results.set("error", agreement.relative_error);
-  results.set("compared", agreement.thresholds);
+void add_thresholds(const std::vector<CaseStudy>& cases, std::size_t fitted, Results& results) {
+  Table table = threshold_table(cases);
+  const auto errors = errors_of(table, "threshold");
+  const auto error = error_of(table, "threshold");
+  std::string told = "none can be compared";
+  if (error) {
+    const Interval interval = root_mean_square_interval(errors, 0.95, 10'000, 1);
+    told = fmt::format("{:.0f} % (95 % interval {:.0f} to {:.0f} %)", 100 * *error,
+                       100 * interval.lower, 100 * interval.upper);
+  }
+  results.set("finding",
+              fmt::format("The computed thresholds differ from the paper's by {}, root mean square "
+                          "in log speed, after fitting {} parameters to the same thresholds; {} of "
+                          "10 can be compared.",
+                          told, fitted, errors.size()));
+  results.set("examples", told_examples(cases));
+  results.set("error", error);
+  results.set("compared", errors.size());
   results.set("fitted", fitted);
-  results.set("quiet_error", error_of(findings.cases, &LongRunBorders::quiet));
-  results.set("loud_error", error_of(findings.cases, &LongRunBorders::loud_from));
-  for (const CaseStudy& c : findings.cases) {
+  results.set("quiet_error", error_of(table, "quiet_up_to"));
+  results.set("loud_error", error_of(table, "loud_from"));
+  for (const CaseStudy& c : cases) {
     results.set(c.the_case.id + ".threshold", c.score.threshold);
-    results.set(c.the_case.id + ".quiet_up_to", c.borders.quiet);
     results.set(c.the_case.id + ".quiet_count", c.score.quiet_count);
   }
-  results.add(threshold_table(findings.cases));
-  results.add(threshold_chart(findings, error));
+  results.add(threshold_chart(
+      cases, fmt::format("By the paper's rule the thresholds are {} from the paper's, after "
+                         "fitting {} parameters",
+                         told, fitted)));
+  results.add(std::move(table));
 }
 
 namespace {
-
-constexpr double usual_reach = 1.5;
 
 std::optional<StepSharpness> sharpness_of(const CaseStudy& c, double reach) {
   if (!c.score.threshold) return std::nullopt;
@@ -156,103 +151,21 @@ std::optional<StepSharpness> sharpness_of(const CaseStudy& c, double reach) {
 
 /// Whether ranges of another width give the same answer.
 bool is_steady(const CaseStudy& c, Rise rise) {
-  for (const double reach : {1.25, 2.0}) {
+  return std::ranges::all_of(std::array{1.25, 2.0}, [&](double reach) {
     const auto other = sharpness_of(c, reach);
-    if (!other || other->rise != rise) return false;
-  }
-  return true;
+    return other && other->rise == rise;
+  });
 }
 
 std::string name_of(Rise rise) {
   return rise == Rise::step ? "a step" : rise == Rise::climb ? "a climb" : "no increase that lasts";
 }
 
-/// Returns true if the step is at the threshold of the paper's rule, applied to the same counts.
-bool is_near(const Step& step, const std::optional<double>& threshold) {
-  return threshold && std::abs(std::log(step.omega / *threshold)) < std::log(1.1);
-}
-
-std::string listed(const std::vector<Step>& steps) {
-  std::string text;
-  for (const Step& step : steps) {
-    text += fmt::format("{}{:.2f} ({} to {})", text.empty() ? "" : "; ", step.omega, step.below,
-                        step.above);
-  }
-  return text.empty() ? "none" : text;
-}
-
-/// How many cases of one restitution rise in which way: "at restitution 0.1 in 5 of 6 cases".
-std::string told_rises(const std::vector<CaseStudy>& cases) {
-  std::string text, unsteady;
-  for (const double restitution : {0.1, 0.9}) {
-    int all = 0, steps = 0, climbs = 0;
-    for (const CaseStudy& c : cases) {
-      if (c.the_case.restitution != restitution) continue;
-      ++all;
-      const auto found = sharpness_of(c, usual_reach);
-      steps += found && found->rise == Rise::step;
-      climbs += found && found->rise == Rise::climb;
-      if (found && !is_steady(c, found->rise))
-        unsteady += (unsteady.empty() ? "" : ", ") + c.the_case.id;
-    }
-    text +=
-        fmt::format("{} restitution {} the increase is a step in {} of {} cases and a climb in {}",
-                    text.empty() ? "At" : ", at", restitution, steps, all, climbs);
-    if (steps + climbs < all) text += fmt::format("; in {} none lasts", all - steps - climbs);
-  }
-  text += unsteady.empty() ? ". Ranges to 1.25 and to 2 times the speed give the same verdicts."
-                           : ". Ranges to 1.25 or to 2 times the speed give another verdict in " +
-                                 unsteady + ".";
-  return text;
-}
-
-/// How many thresholds are no step of the staircase.
-std::string told_staircases(const std::vector<CaseStudy>& cases) {
-  int thresholds = 0, with_step = 0, with_main_step = 0, without = 0;
-  for (const CaseStudy& c : cases) {
-    const std::vector<Step>& steps = c.staircase.steps;
-    thresholds += c.score.threshold ? 1 : 0;
-    without += steps.empty() ? 1 : 0;
-    with_step += std::ranges::any_of(
-        steps, [&](const Step& step) { return is_near(step, c.score.threshold); });
-    const auto main = c.staircase.main_step();
-    with_main_step += main && is_near(*main, c.score.threshold) ? 1 : 0;
-  }
-  return fmt::format(
-      "Of {} thresholds by the paper's rule {} are no step of the staircase within a tenth of the "
-      "speed, and {} not its most significant one. {} cases have no step at all: their counts rise "
-      "gradually.",
-      thresholds, thresholds - with_step, thresholds - with_main_step, without);
-}
-
-/// How much of what the paper says of the speeds below a threshold comes out.
-std::optional<std::string> told_plateaus(const std::vector<CaseStudy>& cases) {
-  std::optional<double> least, most;
-  int claimed = 0, same = 0;
-  double misclassified = 0;
-  std::string others;
-  for (const CaseStudy& c : cases) {
-    misclassified = std::max(misclassified, c.score.misclassified);
-    if (!c.the_case.claim.quiet_count) continue;
-    ++claimed;
-    const int claim = *c.the_case.claim.quiet_count;
-    if (c.score.quiet_count == claim) {
-      ++same;
-    } else {
-      others +=
-          fmt::format("; {} has {} in place of {}", c.the_case.id, c.score.quiet_count, claim);
-    }
-    if (!c.score.purity) continue;
-    least = std::min(least.value_or(1), *c.score.purity);
-    most = std::max(most.value_or(0), *c.score.purity);
-  }
-  if (!least) return {};
-  return fmt::format(
-      "The paper says that one number of collisions holds at all speeds below. Here that number, "
-      "or "
-      "one more or less, holds at {:.0f} to {:.0f} % of them. {} of {} quiet counts are the "
-      "paper's{}. At most {:.1g} % of all speeds lie on the wrong side of a threshold.",
-      100 * *least, 100 * *most, same, claimed, others, 100 * misclassified);
+/// How many values of a group are this text.
+Aggregate number_of(const char* column, const char* of, const std::string& text) {
+  return {{column}, of, [text](const std::vector<Value>& values) {
+            return value_of(std::ranges::count(values, Value(text)));
+          }};
 }
 
 }  // namespace
@@ -260,155 +173,43 @@ std::optional<std::string> told_plateaus(const std::vector<CaseStudy>& cases) {
 void add_steps(const std::vector<CaseStudy>& cases, Results& results) {
   Table table{"steps",
               {{"case"},
+               {"restitution"},
                {"paper_quiet_count", "paper's quiet count"},
                {"quiet_count", "quiet count"},
                {"purity", "purity [%]", ".0%"},
+               {"misclassified", "on the wrong side [%]", ".1%"},
                {"before"},
                {"after"},
                {"relative_width", "width [% of the speed]", ".1%"},
                {"rise"},
-               {"steps", "steps of the staircase [rad/s]"},
-               {"main", "most significant", ".2f"}}};
+               {"steady", "by other ranges the same"}}};
+  int claimed = 0, same = 0;
   for (const CaseStudy& c : cases) {
-    const auto found = sharpness_of(c, usual_reach);
-    const auto main = c.staircase.main_step();
-    table.add(c.the_case.id, c.the_case.claim.quiet_count, c.score.quiet_count, c.score.purity,
-              found ? std::optional(found->before) : std::nullopt,
-              found ? std::optional(found->after) : std::nullopt,
-              found ? std::optional(found->width / found->threshold) : std::nullopt,
-              found ? name_of(found->rise) : "no threshold", listed(c.staircase.steps),
-              main ? std::optional(main->omega) : std::nullopt);
+    const auto found = sharpness_of(c, 1.5);
+    const auto& claim = c.the_case.claim.quiet_count;
+    claimed += claim.has_value();
+    same += claim == c.score.quiet_count;
+    table.add(c.the_case.id, c.the_case.restitution, claim, c.score.quiet_count, c.score.purity,
+              c.score.misclassified, value_of(found, &StepSharpness::before),
+              value_of(found, &StepSharpness::after),
+              value_of(found, [](const auto& it) { return it.width / it.threshold; }),
+              found ? name_of(found->rise) : "no threshold",
+              value_of(found, [&](const auto& it) { return is_steady(c, it.rise); }));
   }
-  results.set("plateaus", told_plateaus(cases));
-  results.set("rises", told_rises(cases));
-  results.set("staircases", told_staircases(cases));
-  results.add(std::move(table));
-}
-
-namespace {
-
-using namespace comparison;
-
-constexpr std::size_t told_entries =
-    3;  // of a family, beside random search and the paper's algorithm
-constexpr std::size_t pale_entries = 6;
-
-/// The first entries, and the best ones of the paper's solver and of random search.
-std::vector<const Rating*> told_ratings(const std::vector<Rating>& ratings) {
-  std::vector<const Rating*> told;
-  std::set<std::string> solvers;
-  for (const Rating& rating : ratings) {
-    const bool asked = rating.solver == paper_solver || rating.solver == "random-search";
-    if (told.size() < told_entries || (asked && !solvers.contains(rating.solver)))
-      told.push_back(&rating);
-    solvers.insert(rating.solver);
-  }
-  return told;
-}
-
-report::Series runtimes_of(const Rating& rating, std::string label) {
-  report::Series series{std::move(label), Mark::steps, {}};
-  for (const Reach& reach : rating.progress) {
-    if (series.samples.empty()) series.samples.push_back({reach.evaluations, 0});
-    auto& samples = series.samples;
-    const std::size_t many = samples.size();
-    const double share = 100 * reach.share;
-    const bool level =
-        many > 1 && samples[many - 1].value == share && samples[many - 2].value == share;
-    if (level) samples.pop_back();  // its ends suffice
-    samples.push_back({reach.evaluations, share});
-  }
-  return series;
-}
-
-/// The ECDF of runtimes: the told entries in colour, others in grey.
-Chart runtime_chart(const std::string& family, const std::vector<Rating>& ratings,
-                    std::int64_t budget) {
-  const Rating& first = ratings.front();
-  Chart chart{.name = "runtimes",
-              .title = fmt::format("{}: {} reaches {:.0f} % of the targets in {} evaluations a "
-                                   "variable",
-                                   family, entry(first.solver, first.formulation),
-                                   100 * first.progress.back().share, budget),
-              .x = {.label = "evaluations for each variable", .scale = report::Scale::logarithmic},
-              .y = {.label = "targets reached [%]", .range = report::Range{0, 100}},
-              .width = 720,
-              .height = 360};
-  std::vector<report::Series> told;
-  std::set<std::string> solvers;
-  for (const Rating* rating : told_ratings(ratings)) {
-    const bool paper = rating->solver == paper_solver;
-    told.push_back(runtimes_of(
-        *rating, entry(rating->solver + (paper ? " (the paper's)" : ""), rating->formulation)));
-    told.back().dark = paper;
-    solvers.insert(rating->solver);
-  }
-  for (const Rating& rating : ratings) {
-    if (chart.series.size() == pale_entries) break;
-    if (!solvers.insert(rating.solver).second) continue;
-    chart.series.push_back(runtimes_of(rating, ""));
-    chart.series.back().pale = true;
-  }
-  chart.series.insert(chart.series.end(), told.begin(), told.end());
-  return chart;
-}
-
-}  // namespace
-
-void add_solvers(const std::optional<StoredCampaign>& comparison, Results& results) {
-  Table table{"solvers",
-              {{"family"},
-               {"problems"},
-               {"solver"},
-               {"formulation"},
-               {"rank", "mean rank", ".1f", 3},
-               {"best", "P(best)", ".2f"},
-               {"returned", "success rate [%]", ".0%", 3},
-               {"share", "targets reached [%]", ".0%", 3},
-               {"lower", "", ".0%", 4},
-               {"upper", "", ".0%", 4}}};
-  results.set("problems", comparison ? comparison->campaign.problems().size() : 0);
-  std::set<std::string> versions;
-  if (comparison) {
-    const Campaign& campaign = comparison->campaign;
-    for (const Solver& solver : campaign.solvers()) versions.insert(solver.version);
-    const Comparison compared =
-        comparison_of(campaign, cell_results(campaign, comparison->store), Conditions());
-    const std::vector<Group> groups = groups_of(compared);
-    const Ratings ratings = ratings_of(compared, groups);
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      const std::vector<Rating>& by_returned = ratings[g].back();
-      if (by_returned.empty()) continue;
-      for (const Rating* r : told_ratings(by_returned)) {
-        const Reach& last = r->progress.back();
-        table.add(groups[g].family, groups[g].problems.size(), r->solver, r->formulation, r->rank,
-                  r->probability_of_being_best, r->returned, last.share, last.interval.lower,
-                  last.interval.upper);
-      }
-      if (results.chart("runtimes") == nullptr)
-        results.add(runtime_chart(groups[g].family, by_returned, compared.part->budgets.back()));
-    }
-  }
-  std::string libraries;
-  for (const std::string& version : versions)
-    libraries += (libraries.empty() ? "" : ", ") + version;
-  results.set("libraries", libraries);
-  results.add(std::move(table));
-}
-
-void add_interpretation(const FittedInterpretation& interpretation, Results& results) {
-  Table table{"parameters", {{"parameter"}, {"value", "", ".4g"}, {"unit"}, {"origin"}}};
-  for (const Unknown open : unknowns_of(interpretation.interpretation)) {
-    const auto i = static_cast<std::size_t>(open);
-    table.add(unknown_parameters()[i].name, interpretation.constants[i],
-              unknown_parameters()[i].unit,
-              contains(interpretation.free, open) ? "fitted" : "fixed");
-  }
-  const auto* turns = std::get_if<Revolutions>(&interpretation.scene.window);
-  results.set("turns", turns != nullptr ? std::optional(turns->count) : std::nullopt);
-  results.set("interpretation", interpretation.name);
-  results.set("description", interpretation.description);
-  results.set("provenance", interpretation.provenance);
+  Table rises = aggregated(table, {"restitution"},
+                           {{{"cases"}, "", count_of},
+                            number_of("steps", "rise", "a step"),
+                            number_of("climbs", "rise", "a climb")});
+  rises.name = "rises";
+  const Table claims =
+      where(table, [](const Row& row) { return !is_missing(row["paper_quiet_count"]); });
+  const Table purity =
+      aggregated(claims, {}, {{{"least"}, "purity", least_of}, {{"most"}, "purity", most_of}});
+  results.set("least-purity", purity.rows.empty() ? Value() : purity[0]["least"]);
+  results.set("most-purity", purity.rows.empty() ? Value() : purity[0]["most"]);
+  results.set("claimed-counts", claimed);
+  results.set("same-counts", same);
+  results.add(std::move(rises));
   results.add(std::move(table));
 }
 

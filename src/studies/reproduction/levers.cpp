@@ -1,5 +1,3 @@
-#include "src/studies/reproduction/levers.h"
-
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -9,389 +7,234 @@
 #include <set>
 #include <utility>
 
+#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/suite/speed_problems.h"
-#include "ricochet/machine.h"
 #include "src/core/progress.h"
 #include "src/studies/machine/charts.h"
-#include "src/studies/reproduction/sections.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 
 namespace {
 
 using namespace carrier_track;
+using report::Chart;
+using report::Mark;
+using report::Series;
 
 /// [m/s], between which the effect of the counting limit is told: nobody measured it.
 constexpr double low_limit = 1e-3, high_limit = 10e-3;
+constexpr const char* speed_label = "fastest quiet speed [rad/s]";
 
-/// Restitutions in thousandths, so that one of a case is met exactly: closer where curves are
-/// steep.
-std::vector<int> thousandths_of(bool disturbed, bool coarse) {
-  if (disturbed) return {50, 75, 100, 150, 200, 300, 400, 500, 600, 700, 800, 900, 950};
-  std::vector<int> all;
-  for (int thousandths = 50; thousandths <= 950; thousandths += coarse ? 50 : 25) {
-    all.push_back(thousandths);
+/// The fastest quiet speed of a machine over one of its constants.
+struct Curve {
+  std::string label;
+  std::vector<double> values;  ///< rising, in SI units
+  std::function<Scene(double value)> machine;
+};
+
+/// Computes all points of the curves. Nothing where every speed up to the highest is quiet, or none
+/// is. Parallel.
+std::vector<Series> solved(const std::vector<Curve>& curves, double unit, double highest,
+                           const char* what) {
+  std::vector<Series> all;
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  for (const Curve& curve : curves) {
+    all.push_back({curve.label, Mark::line, {}});
+    for (const double value : curve.values) {
+      places.emplace_back(all.size() - 1, all.back().samples.size());
+      all.back().samples.push_back({value / unit, {}});
+    }
   }
+  Progress progress(what, static_cast<double>(places.size()));
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+    const auto [k, place] = places[i];
+    const Scene scene = curves[k].machine(curves[k].values[place]);
+    if (has_regimes(scene)) {
+      const auto speed = quiet_up_to(scene, quiet_per_turn, {slowest_speed, highest});
+      if (speed && *speed < highest) all[k].samples[place].value = speed;
+    }
+    progress.advance(1);
+  });
   return all;
 }
 
-std::optional<double> threshold_of(const Scene& scene, double highest) {
-  if (!has_regimes(scene)) return std::nullopt;
-  const auto speed = quiet_up_to(scene, quiet_per_turn, {slowest_speed, highest});
-  return speed && *speed < highest ? speed : std::nullopt;
+std::optional<double> speed_at(const Series& series, double position) {
+  const auto found = std::ranges::find(series.samples, position, &report::Sample::position);
+  return found == series.samples.end() ? std::nullopt : found->value;
 }
 
-/// Computes all points of the curves; `scene_of` makes the machine of a curve at a value.
-void solve(std::vector<ThresholdCurve>& curves, double highest, const char* what,
-           const std::function<Scene(const Case&, double)>& scene_of) {
-  std::vector<std::pair<const Case*, CurvePoint*>> all;
-  for (ThresholdCurve& curve : curves) {
-    for (CurvePoint& point : curve.points) all.emplace_back(&curve.machine, &point);
+/// "1.5 to 5.0 times": by how much the curves rise between two positions. Empty if none has both.
+std::string times(const std::vector<Series>& curves, double from, double to) {
+  std::optional<double> least, most;
+  for (const Series& series : curves) {
+    const auto first = speed_at(series, from), last = speed_at(series, to);
+    if (!first || !last) continue;
+    least = std::min(least.value_or(*last / *first), *last / *first);
+    most = std::max(most.value_or(*last / *first), *last / *first);
   }
-  Progress progress(what, static_cast<double>(all.size()));
-  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
-    const auto [machine, point] = all[i];
-    point->speed = threshold_of(scene_of(*machine, point->value), highest);
-    progress.advance(1);
-  });
+  return least ? fmt::format("{:.1f} to {:.1f} times", *least, *most) : "";
 }
 
-/// Values that rise evenly on a logarithmic axis, with those that are to be met exactly.
-std::vector<double> logarithmic(double from, double to, int number, std::set<double> exact) {
-  for (int k = 0; k < number; ++k) exact.insert(from * std::pow(to / from, k / (number - 1.0)));
-  return {exact.begin(), exact.end()};
-}
-
-std::optional<double> speed_at(const ThresholdCurve& curve, double value) {
-  for (const CurvePoint& point : curve.points) {
-    if (point.value == value) return point.speed;
-  }
-  return std::nullopt;
-}
-
-/// Adds a pair to an effect.
-void take(std::optional<EndEffect>& effect, double from, double to, double ratio) {
-  if (!effect) effect = EndEffect{from, to, ratio, ratio, 0};
-  effect->least = std::min(effect->least, ratio);
-  effect->most = std::max(effect->most, ratio);
-  ++effect->pairs;
-}
-
-std::string extent(double least, double most, const char* form) {
-  const std::string first = fmt::format(fmt::runtime(form), least);
-  const std::string last = fmt::format(fmt::runtime(form), most);
-  return first == last ? first : first + " to " + last;
-}
-
-}  // namespace
-
-std::vector<ThresholdCurve> restitution_curves(const std::vector<Case>& cases,
-                                               const Scene& interpretation, bool coarse,
-                                               double highest) {
+/// Over restitutions from 0.05 to 0.95 for the frictions of the cases and the least and the largest
+/// of their disturbances, with the paper's cases as points. A threshold takes longer under a
+/// disturbance, so such curves have fewer points, and there are none if the curves are `coarse`.
+Chart restitution_chart(const std::vector<CaseStudy>& cases, const Scene& interpretation,
+                        bool coarse, double highest) {
   std::set<double> frictions, disturbances;
-  for (const Case& c : cases) {
-    frictions.insert(c.friction);
-    disturbances.insert(coarse ? 0 : c.disturbance);
+  Series paper{.label = "paper", .mark = Mark::points, .samples = {}, .dark = true};
+  for (const CaseStudy& c : cases) {
+    frictions.insert(c.the_case.friction);
+    disturbances.insert(c.the_case.disturbance);
+    const auto threshold = c.the_case.claim.threshold;
+    if (threshold) paper.samples.push_back({c.the_case.restitution, threshold, {}, c.the_case.id});
   }
-  std::vector<ThresholdCurve> curves;
+  std::vector<double> many;  // from thousandths, so that those of the cases are met exactly
+  for (int thousandths = 50; thousandths <= 950; thousandths += coarse ? 50 : 25)
+    many.push_back(thousandths / 1000.0);
+  const std::vector<double> few = {0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4,
+                                   0.5,  0.6,   0.7, 0.8,  0.9, 0.95};
+  std::vector<Curve> curves;
   for (const double friction : frictions) {
-    for (const double disturbance : disturbances) {
-      ThresholdCurve curve{{"", 0, friction, disturbance, {}}, {}};
-      for (const int thousandths : thousandths_of(disturbance != 0, coarse))
-        curve.points.push_back({thousandths / 1000.0, {}});
-      curves.push_back(std::move(curve));
+    for (const double disturbance : {*disturbances.begin(), *disturbances.rbegin()}) {
+      if (coarse && disturbance > 0) continue;
+      curves.push_back(
+          {fmt::format("friction {}, disturbance {} N", friction, disturbance),
+           disturbance > 0 ? few : many, [=](double restitution) {
+             return scene_of({"", restitution, friction, disturbance, {}}, interpretation);
+           }});
     }
   }
-  solve(curves, highest, "thresholds over restitution", [&](Case machine, double value) {
-    machine.restitution = value;
-    return scene_of(machine, interpretation);
-  });
-  return curves;
+  Chart chart{.name = "threshold-over-restitution",
+              .title = "",
+              .x = {.label = "restitution", .range = report::Range{0, 1}},
+              .y = {.label = speed_label, .scale = report::Scale::logarithmic},
+              .series = solved(curves, 1, highest, "thresholds over restitution"),
+              .width = 720,
+              .height = 400};
+  chart.title = fmt::format("Restitution 0.1 in place of 0.9 lets the machine turn {} as fast",
+                            times(chart.series, 0.9, 0.1));
+  chart.series.push_back(std::move(paper));
+  return chart;
 }
 
-std::vector<ThresholdCurve> curves_over(const std::string& key, const std::vector<double>& values,
-                                        const std::vector<Case>& cases, const Scene& interpretation,
-                                        double highest) {
-  std::vector<ThresholdCurve> curves;
-  for (const Case& c : cases) {
-    if (c.disturbance != 0) continue;
-    ThresholdCurve curve{c, {}};
-    for (const double value : values) curve.points.push_back({value, {}});
-    curves.push_back(std::move(curve));
-  }
-  solve(curves, highest, ("thresholds over " + key).c_str(),
-        [&](const Case& machine, double value) {
-          const Scene scene = scene_of(machine, interpretation);
-          const double own =
-              key == "clearance" ? scene.wall_upper - scene.wall_lower : scene.counting_limit;
-          return value == own ? scene : scaled(scene, key, value / own);
-        });
-  return curves;
-}
-
-std::optional<EndEffect> effect_of(double Case::*constant, const std::vector<QuietCase>& cases) {
-  const auto value = [&](const QuietCase& one) { return one.the_case.*constant; };
-  const auto [low, high] = std::ranges::minmax_element(cases, {}, value);
-  std::optional<EndEffect> effect;
-  if (low == cases.end() || value(*low) == value(*high)) return effect;
-  const double from = value(*low), to = value(*high);
-  for (const QuietCase& slow : cases) {
-    for (const QuietCase& fast : cases) {
-      Case same = slow.the_case;
-      same.*constant = to;
-      const Case& other = fast.the_case;
-      const bool pair = value(slow) == from && same.restitution == other.restitution &&
-                        same.friction == other.friction && same.disturbance == other.disturbance;
-      if (pair && slow.speed && fast.speed) take(effect, from, to, *fast.speed / *slow.speed);
-    }
-  }
-  return effect;
-}
-
-std::optional<EndEffect> effect_of(const std::vector<ThresholdCurve>& curves, double from,
-                                   double to) {
-  std::optional<EndEffect> effect;
-  for (const ThresholdCurve& curve : curves) {
-    const auto first = speed_at(curve, from), last = speed_at(curve, to);
-    if (first && last) take(effect, from, to, *last / *first);
-  }
-  return effect;
-}
-
-std::string told(const EndEffect& effect) {
-  constexpr double as_a_factor = 1.25;  // from here on a ratio is told as a factor
-  const double least = effect.least, most = effect.most;
-  const auto percent = [](double ratio) { return 100 * std::abs(ratio - 1); };
-  if (least >= as_a_factor) return "multiplies it by " + extent(least, most, "{:.1f}");
-  if (most <= 1 / as_a_factor) return "divides it by " + extent(1 / most, 1 / least, "{:.1f}");
-  if (most <= 1)
-    return fmt::format("lowers it by {} %", extent(percent(most), percent(least), "{:.1f}"));
-  if (least >= 1)
-    return fmt::format("raises it by {} %", extent(percent(least), percent(most), "{:.1f}"));
-  return fmt::format("changes it by -{:.1f} to +{:.1f} %", percent(least), percent(most));
-}
-
-Levers levers_of(const std::vector<QuietCase>& cases, const Scene& interpretation, bool coarse,
-                 double highest) {
-  Levers levers;
-  std::vector<Case> all;
-  for (const QuietCase& c : cases) all.push_back(c.the_case);
-  levers.over_restitution = restitution_curves(all, interpretation, coarse, highest);
+/// Of the cases without disturbance, on logarithmic axes, where an exponent is a slope.
+Chart limit_chart(const std::vector<CaseStudy>& cases, double own, bool coarse, double highest) {
+  std::set<double> values = {low_limit, 3e-3, own, high_limit};
   const int number = coarse ? 9 : 25;
-  const double clearance = interpretation.wall_upper - interpretation.wall_lower;
-  levers.over_counting_limit =
-      curves_over("counting_limit",
-                  logarithmic(0.5e-3, 20e-3, number,
-                              {low_limit, 3e-3, interpretation.counting_limit, high_limit}),
-                  all, interpretation, highest);
-  levers.over_clearance =
-      curves_over("clearance",
-                  logarithmic(clearance / 4, clearance * 4, number, {clearance / 2, 2 * clearance}),
-                  all, interpretation, highest);
-  for (const QuietCase& c : cases) {
-    if (c.the_case.disturbance != 0 || !c.speed) continue;
-    const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
-    levers.exponents.push_back(
-        {c.the_case.id, sensitivities(scene_of(c.the_case, interpretation), limit, *c.speed)});
+  for (int k = 0; k < number; ++k) values.insert(0.5e-3 * std::pow(40.0, k / (number - 1.0)));
+  std::vector<Curve> curves;
+  for (const CaseStudy& c : cases) {
+    const Case& it = c.the_case;
+    if (it.disturbance != 0) continue;
+    curves.push_back(
+        {fmt::format("{}: restitution {}, friction {}", it.id, it.restitution, it.friction),
+         {values.begin(), values.end()},
+         [scene = c.scene](double limit) {
+           Scene other = scene;
+           other.counting_limit = limit;
+           return other;
+         }});
   }
-  return levers;
+  Chart chart{.name = "threshold-over-counting-limit",
+              .title = "",
+              .x = {.label = "counting limit [mm/s]", .scale = report::Scale::logarithmic},
+              .y = {.label = speed_label, .scale = report::Scale::logarithmic},
+              .series = solved(curves, millimetre, highest, "thresholds over the counting limit"),
+              .lines = {{report::Direction::vertical, own / millimetre, "fitted"}}};
+  chart.title = fmt::format("A counting limit of {:.2g} in place of {:.2g} mm/s: {} as fast",
+                            high_limit / millimetre, low_limit / millimetre,
+                            times(chart.series, low_limit / millimetre, high_limit / millimetre));
+  return chart;
 }
 
-namespace {
+/// The exponents of a case, by constant.
+struct CaseExponents {
+  std::string id;
+  std::vector<Sensitivity> exponents;  ///< the largest first
+};
 
-using report::Chart;
-using report::Mark;
+std::vector<CaseExponents> exponents_of(const std::vector<CaseStudy>& cases) {
+  std::vector<CaseExponents> all;
+  for (const CaseStudy& c : cases) {
+    if (c.the_case.disturbance != 0 || !c.borders.quiet) continue;
+    const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
+    all.push_back({c.the_case.id, sensitivities(c.scene, limit, *c.borders.quiet)});
+  }
+  return all;
+}
 
 std::string in_words(std::string key) {
   std::ranges::replace(key, '_', ' ');
   return key;
 }
 
-/// The fastest quiet speeds over a constant of this unit.
-Chart chart_over(std::string name, std::string title, std::string label, double unit,
-                 const std::vector<ThresholdCurve>& curves) {
-  Chart chart{.name = std::move(name),
-              .title = std::move(title),
-              .x = {.label = std::move(label)},
-              .y = {.label = "fastest quiet speed [rad/s]", .scale = report::Scale::logarithmic}};
-  for (const ThresholdCurve& curve : curves) {
-    const Case& machine = curve.machine;
-    report::Series series{
-        machine.id.empty()
-            ? fmt::format("friction {}, disturbance {} N", machine.friction, machine.disturbance)
-            : fmt::format("{}: restitution {}, friction {}", machine.id, machine.restitution,
-                          machine.friction),
-        Mark::line,
-        {}};
-    for (const CurvePoint& point : curve.points)
-      series.samples.push_back({point.value / unit, point.speed});
-    chart.series.push_back(std::move(series));
-  }
-  return chart;
-}
-
-/// With the paper's cases as points.
-Chart restitution_chart(const Levers& levers, const std::vector<CaseStudy>& cases) {
-  const auto slower = effect_of(levers.over_restitution, 0.1, 0.9);
-  double least_kept = 1, disturbance = 0;
-  for (const ThresholdCurve& shaken : levers.over_restitution) {
-    disturbance = std::max(disturbance, shaken.machine.disturbance);
-  }
-  for (const ThresholdCurve& still : levers.over_restitution) {
-    for (const ThresholdCurve& shaken : levers.over_restitution) {
-      if (still.machine.friction != shaken.machine.friction || still.machine.disturbance != 0 ||
-          shaken.machine.disturbance != disturbance)
-        continue;
-      for (const CurvePoint& point : shaken.points) {
-        const auto from = speed_at(still, point.value);
-        if (from && point.speed) least_kept = std::min(least_kept, *point.speed / *from);
-      }
-    }
-  }
-  std::string title = "The fastest quiet speed falls with the restitution";
-  if (slower) {
-    title = fmt::format("Restitution 0.1 in place of 0.9 lets the machine turn {} times as fast",
-                        extent(1 / slower->most, 1 / slower->least, "{:.1f}"));
-  }
-  if (least_kept < 1) {
-    title += fmt::format("; a disturbance of {} N costs at most {:.0f} %", disturbance,
-                         100 * (1 - least_kept));
-  }
-  Chart chart =
-      chart_over("threshold-over-restitution", title, "restitution", 1, levers.over_restitution);
-  chart.x.range = report::Range{0, 1};
-  chart.width = 720;
-  chart.height = 400;
-  report::Series paper{.label = "paper", .mark = Mark::points, .samples = {}, .dark = true};
-  for (const CaseStudy& c : cases) {
-    const auto threshold = c.the_case.claim.threshold;
-    if (threshold) paper.samples.push_back({c.the_case.restitution, threshold, {}, c.the_case.id});
-  }
-  chart.series.push_back(std::move(paper));
-  return chart;
-}
-
-/// Over a constant that is not a case's, on logarithmic axes, where an exponent is a slope.
-Chart fitted_chart(std::string name, std::string title, std::string label, double own,
-                   const std::vector<ThresholdCurve>& curves) {
-  Chart chart = chart_over(std::move(name), std::move(title), std::move(label), millimetre, curves);
-  chart.x.scale = report::Scale::logarithmic;
-  chart.lines = {{report::Direction::vertical, own / millimetre, "fitted"}};
-  return chart;
-}
-
 /// A row for each constant that moves the speed, a column for each case; the largest first.
-Table exponents_table(const Levers& levers, const FittedInterpretation& interpretation) {
+Table exponents_table(const std::vector<CaseExponents>& all,
+                      const FittedInterpretation& interpretation) {
   Table table{"exponents", {{"constant"}, {"known"}}};
-  for (const CaseExponents& one : levers.exponents)
-    table.columns.push_back({one.id, one.id, "+.2f"});
-  table.columns.push_back({"largest"});
   std::vector<std::string> keys;
-  for (const CaseExponents& one : levers.exponents) {
+  for (const CaseExponents& one : all) {
+    table.columns.push_back({one.id, one.id, "+.2f"});
     for (const Sensitivity& s : one.exponents)
       if (std::ranges::find(keys, s.key) == keys.end()) keys.push_back(s.key);
   }
+  std::vector<std::string> shown;
+  for (const Column& column : table.columns) shown.push_back(column.name);
+  table.columns.push_back({"largest"});
   for (const std::string& key : keys) {
-    std::string known = key == "restitution" || key == "friction" ? "the paper's" : "fixed";
-    for (const Unknown free : interpretation.free)
-      if (unknown_parameters()[static_cast<std::size_t>(free)].name == key) known = "fitted";
-    std::vector<Value> row = {in_words(key), known};
+    const bool fitted = std::ranges::any_of(interpretation.free, [&](Unknown free) {
+      return unknown_parameters()[static_cast<std::size_t>(free)].name == key;
+    });
+    const bool given = key == "restitution" || key == "friction";
+    std::vector<Value> row = {in_words(key), given ? "the paper's" : fitted ? "fitted" : "fixed"};
     double largest = 0;
-    for (const CaseExponents& one : levers.exponents) {
+    for (const CaseExponents& one : all) {
       const auto found = std::ranges::find(one.exponents, key, &Sensitivity::key);
-      const bool there = found != one.exponents.end();
-      row.push_back(there ? value_of(found->percent) : Value());
-      if (there) largest = std::max(largest, std::abs(found->percent));
+      row.push_back(found == one.exponents.end() ? Value() : value_of(found->percent));
+      largest = std::max(largest, std::abs(number_in(row.back()).value_or(0)));
     }
     row.emplace_back(largest);
     if (largest >= 0.005) table.add_row(std::move(row));
   }
-  std::vector<std::string> shown;
-  for (const Column& column : table.columns) shown.push_back(column.name);
-  shown.pop_back();
   return only(sorted(std::move(table), {"-largest"}), shown);
 }
 
-/// "restitution -0.84 %, counting limit +0.82 %": of the first case, as far as they can be seen.
-std::optional<std::string> exponents_of_first(const Levers& levers) {
-  if (levers.exponents.empty()) return {};
-  std::string text;
-  for (const Sensitivity& s : levers.exponents.front().exponents) {
+/// What moves the first case: "restitution -0.84 %, counting limit +0.82 %", as far as it can be
+/// seen, and its speeds over the counting limit.
+std::string told(const CaseExponents& first, const Series& over_limit, double own) {
+  std::string text, limits, speeds;
+  for (const Sensitivity& s : first.exponents) {
     if (std::abs(s.percent) < 0.005) continue;
     text += fmt::format("{}{} {:+.2f} %", text.empty() ? "" : ", ", in_words(s.key), s.percent);
+  }
+  for (const double limit : {low_limit, 3e-3, own, high_limit}) {
+    const auto speed = speed_at(over_limit, limit / millimetre);
+    if (!speed) continue;
+    const char* between = limits.empty() ? "" : limit == high_limit ? " and " : ", ";
+    limits += fmt::format("{}{:.3g}", between, limit / millimetre);
+    speeds += fmt::format("{}{:.2f}", between, *speed);
   }
   return fmt::format(
       "One per cent more of a constant moves the fastest quiet speed of {} by: {}. The counting "
       "limit, the speed from which an impact counts as a collision, is fitted to the paper's "
-      "thresholds and not measured.",
-      levers.exponents.front().id, text);
-}
-
-/// The speeds of the first case over the counting limit.
-std::string over_limit(const Levers& levers, double own) {
-  std::string limits, speeds;
-  if (levers.over_counting_limit.empty()) return "";
-  const ThresholdCurve& first = levers.over_counting_limit.front();
-  for (const double limit : {low_limit, 3e-3, own, high_limit}) {
-    const auto speed = speed_at(first, limit);
-    if (!speed) continue;
-    const std::string between = limits.empty() ? "" : limit == high_limit ? " and " : ", ";
-    limits += between + fmt::format("{:.3g}", limit / millimetre);
-    speeds += between + fmt::format("{:.2f}", *speed);
-  }
-  return fmt::format(" With limits of {} mm/s {} is quiet up to {} rad/s.", limits,
-                     first.machine.id, speeds);
-}
-
-std::string from_end_to_end(const Levers& levers, const std::vector<QuietCase>& cases,
-                            double clearance) {
-  std::string text;
-  const auto add = [&](const std::string& name, const std::optional<EndEffect>& effect, double unit,
-                       const char* unit_name) {
-    if (!effect) return;
-    text += fmt::format("{}{} from {:.2g} to {:.2g}{} {}", text.empty() ? "" : "; ", name,
-                        effect->from / unit, effect->to / unit, unit_name, told(*effect));
-  };
-  add("counting limit", effect_of(levers.over_counting_limit, low_limit, high_limit), millimetre,
-      " mm/s");
-  add("restitution", effect_of(&Case::restitution, cases), 1, "");
-  add("clearance", effect_of(levers.over_clearance, clearance / 2, 2 * clearance), millimetre,
-      " mm");
-  add("friction", effect_of(&Case::friction, cases), 1, "");
-  add("disturbance", effect_of(&Case::disturbance, cases), 1, " N");
-  return text.empty() ? text : "From end to end, in the paper's cases: " + text + ".";
+      "thresholds and not measured. With limits of {} mm/s {} is quiet up to {} rad/s.",
+      first.id, text, limits, first.id, speeds);
 }
 
 }  // namespace
 
-void add_levers(const Findings& findings, report::Results& results) {
-  const Levers& levers = findings.levers;
-  const Scene& scene = findings.interpretation.scene;
-  const double clearance = scene.wall_upper - scene.wall_lower;
-  const auto moves = exponents_of_first(levers);
-  const std::string ends = from_end_to_end(levers, quiet_cases(findings.cases), clearance);
-  results.set("moves", moves ? std::optional(*moves + over_limit(levers, scene.counting_limit))
-                             : std::nullopt);
-  results.set("from_end_to_end", ends.empty() ? std::nullopt : std::optional(ends));
-  results.add(exponents_table(levers, findings.interpretation));
-  results.add(restitution_chart(levers, findings.cases));
-  const auto by_limit = effect_of(levers.over_counting_limit, low_limit, high_limit);
-  results.add(fitted_chart(
-      "threshold-over-counting-limit",
-      by_limit ? fmt::format("A counting limit of {:.2g} in place of {:.2g} mm/s: {} times as fast",
-                             high_limit / millimetre, low_limit / millimetre,
-                             extent(by_limit->least, by_limit->most, "{:.1f}"))
-               : "The fastest quiet speed over the counting limit",
-      "counting limit [mm/s]", scene.counting_limit, levers.over_counting_limit));
-  const auto by_clearance = effect_of(levers.over_clearance, clearance / 2, 2 * clearance);
-  results.add(fitted_chart(
-      "threshold-over-clearance",
-      by_clearance
-          ? fmt::format("Four times the clearance, {:.2g} in place of {:.2g} mm: {} times as fast",
-                        2 * clearance / millimetre, clearance / 2 / millimetre,
-                        extent(by_clearance->least, by_clearance->most, "{:.2f}"))
-          : "The fastest quiet speed over the clearance",
-      "clearance [mm]", clearance, levers.over_clearance));
+void add_levers(const std::vector<CaseStudy>& cases, const FittedInterpretation& interpretation,
+                bool coarse, double highest, report::Results& results) {
+  const std::vector<CaseExponents> exponents = exponents_of(cases);
+  const double own = interpretation.scene.counting_limit;
+  Chart by_limit = limit_chart(cases, own, coarse, highest);
+  results.set("moves", exponents.empty()
+                           ? std::nullopt
+                           : std::optional(told(exponents.front(), by_limit.series.front(), own)));
+  results.add(exponents_table(exponents, interpretation));
+  results.add(std::move(by_limit));
+  results.add(restitution_chart(cases, interpretation.scene, coarse, highest));
 }
 
 }  // namespace ricochet::studies::reproduction

@@ -12,8 +12,7 @@
 #include "ricochet/machine.h"
 #include "src/report/painted.h"
 #include "src/studies/machine/charts.h"
-#include "src/studies/paper/theory.h"
-#include "src/studies/reproduction/sections.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -24,6 +23,7 @@ using report::Chart;
 using report::Direction;
 using report::Mark;
 
+constexpr std::size_t samples_of_a_path = 600;
 constexpr double of_a_pixel = 1.0 / 4000;  // of the plot's width and height: a tenth, or less
 
 /// Rounds to the digits that are visible in a picture.
@@ -98,79 +98,31 @@ report::Part part_of(const CaseStudy& c) {
   report::Results own;
   own.set("heading", heading);
   own.add(count_chart(c));
-  const auto add = [&](double omega, const std::string& where, const char* name,
-                       const Recording& recording) {
+  const auto add = [&](double omega, const std::string& where, const char* name) {
+    const Recording recording =
+        record(at_speed(c.scene, omega), default_smoothing, samples_of_a_path);
     own.set(name,
             recording.certainty.certain
                 ? std::nullopt
                 : std::optional("The count is not certain: " + recording.certainty.reason + "."));
     own.add(motion_chart(c, omega, where, name, recording));
   };
-  if (c.paths) {
-    const Figure& figure = *it.claim.figure;
-    const auto where = [&](const char* side) {
-      return fmt::format("{} in Figure {}", side, figure.number);
-    };
-    add(figure.quiet, where("quiet"), "quiet", c.paths->quiet);
-    add(figure.loud, where("loud"), "loud", c.paths->loud);
+  if (const auto& figure = it.claim.figure) {
+    add(figure->quiet, fmt::format("quiet in Figure {}", figure->number), "quiet");
+    add(figure->loud, fmt::format("loud in Figure {}", figure->number), "loud");
   }
   // What changes at a threshold does not depend on the disturbance.
   if (c.score.threshold && it.disturbance == 0) {
-    for (const auto& [share, where, name] :
-         {std::tuple(0.99, "just below its threshold", "below"),
-          std::tuple(1.01, "just above its threshold", "above")}) {
-      const double omega = share * *c.score.threshold;
-      add(omega, where, name, record(at_speed(c.scene, omega), 0, samples_of_a_path));
-    }
+    add(0.99 * *c.score.threshold, "just below its threshold", "below");
+    add(1.01 * *c.score.threshold, "just above its threshold", "above");
   }
   return {id, heading, std::move(own)};
 }
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double radius = 0.065;      // [m], the paper's radius of the spindle's path
-constexpr double shown_speed = 9.0;   // [rad/s], the paper's threshold of case C1
-constexpr double half_crossing = 45;  // [degrees]; not in the paper
-constexpr double arc = 60;            // [degrees] shown on either side
-
-/// `turned` [degrees] from where the crossing begins.
-TheoreticalMotion motion_at(double turned) {
-  if (turned < 0 || turned > 2 * half_crossing) return on_arc(radius, shown_speed);
-  const double angle = turned <= half_crossing ? turned : turned - 2 * half_crossing;
-  return on_crossing(radius, shown_speed, angle * degree);
-}
-
-/// One of the two charts of Figure 3.
-Chart crossing_chart(const char* name, const char* label, const char* title,
-                     double TheoreticalMotion::*what) {
-  report::Series motion{"", Mark::line, {}};
-  double most = 0;
-  for (double turned = -arc; turned <= 2 * half_crossing + arc; turned += 0.5) {
-    const double value = motion_at(turned).*what;
-    motion.samples.push_back({turned, value});
-    most = std::max(most, value);
-  }
-  const double gain = most / (on_arc(radius, shown_speed).*what);
-  return {.name = name,
-          .title = fmt::format(fmt::runtime(title), gain),
-          .x = {.label = "driver plates [degrees turned since the crossing began]"},
-          .y = {.label = label, .range = report::Range{0, 1.1 * most}},
-          .series = {std::move(motion)},
-          .lines = {{Direction::vertical, 0, "crossing"},
-                    {Direction::vertical, 2 * half_crossing, "crossing"}}};
-}
-
 }  // namespace
 
-void add_pictures(const Findings& findings, report::Results& results) {
-  for (const CaseStudy& c : findings.cases) results.add("cases", part_of(c));
-  for (const Chart& map : findings.maps) results.add(map);
-  results.add(crossing_chart("crossing-speed", "speed [m/s]",
-                             "At a crossing the carrier is up to {:.2g} times as fast as on an arc",
-                             &TheoreticalMotion::speed));
-  results.add(crossing_chart(
-      "crossing-acceleration", "acceleration [m/s²]",
-      "At a crossing the carrier accelerates up to {:.2g} times as much as on an arc",
-      &TheoreticalMotion::acceleration));
+void add_pictures(const std::vector<CaseStudy>& cases, report::Results& results) {
+  for (const CaseStudy& c : cases) results.add("cases", part_of(c));
 }
 
 namespace {
@@ -204,14 +156,11 @@ Chart map_of(const std::vector<const CaseStudy*>& cases) {
 
 }  // namespace
 
-std::vector<Chart> restitution_maps(const std::vector<CaseStudy>& cases) {
+void add_maps(const std::vector<CaseStudy>& cases, report::Results& results) {
   std::map<double, std::vector<const CaseStudy*>> machines;  // by friction
-  for (const CaseStudy& c : cases) {
+  for (const CaseStudy& c : cases)
     if (c.the_case.disturbance == 0) machines[c.the_case.friction].push_back(&c);
-  }
-  std::vector<Chart> maps;
-  for (const auto& [friction, of_it] : machines) maps.push_back(map_of(of_it));
-  return maps;
+  for (const auto& [friction, of_it] : machines) results.add(map_of(of_it));
 }
 
 }  // namespace ricochet::studies::reproduction

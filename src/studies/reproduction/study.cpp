@@ -1,34 +1,19 @@
 #include "src/studies/reproduction/study.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
-#include <cmath>
+#include <algorithm>
+#include <numeric>
 
-#include "embedded/reproduction_plan.h"
-#include "embedded/reproduction_quick_plan.h"
-#include "problems/carrier_track/counting/count.h"
-#include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/counting/staircase.h"
-#include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
-#include "ricochet/error.h"
-#include "ricochet/machine.h"
-#include "ricochet/solver.h"
 #include "src/core/progress.h"
-#include "src/experiment/planned_runs.h"
-#include "src/studies/reproduction/sections.h"
 
 namespace ricochet::studies::reproduction {
 
 namespace {
 
 using namespace carrier_track;
-
-Recording path_at(Scene scene, double omega) {
-  scene.omega = omega;
-  return record(scene, default_smoothing, samples_of_a_path);
-}
 
 LongRunBorders borders_of(const Scene& scene, double highest) {
   LongRunBorders borders;
@@ -44,128 +29,188 @@ LongRunBorders borders_of(const Scene& scene, double highest) {
   return borders;
 }
 
-CaseStudy study_case(const Case& the_case, const Scene& interpretation,
-                     const ScanOptions& options) {
-  const Scene scene = scene_of(the_case, interpretation);
-  SpeedScan scan = scan_speeds(scene, options.step, options.highest);
-  const Score result = score(scene, the_case.claim, scan, options.stride);
-  const LogarithmicScan whole =
-      scan_logarithmically(scene, slowest_scanned, judged_share * options.highest);
-  std::optional<FigurePaths> paths;
-  if (const auto& figure = the_case.claim.figure) {
-    paths = FigurePaths{path_at(scene, figure->quiet), path_at(scene, figure->loud)};
+}  // namespace
+
+std::vector<CaseStudy> study_cases(const Scene& interpretation, const ScanOptions& options) {
+  std::vector<CaseStudy> cases;
+  const std::vector<Case> all = all_cases();
+  Progress progress("scanning speeds", static_cast<double>(all.size()));
+  for (const Case& it : all) {
+    const Scene scene = scene_of(it, interpretation);
+    SpeedScan scan = scan_speeds(scene, options.step, options.highest);
+    const Score result = score(scene, it.claim, scan, options.stride);
+    cases.push_back({it, scene, borders_of(scene, options.highest), std::move(scan), result});
+    progress.advance(1);
   }
-  return {the_case,        scene,  borders_of(scene, options.highest),
-          std::move(scan), result, staircase_of(whole, options.highest),
-          std::move(paths)};
+  return cases;
 }
 
-/// A store of another plan, program or data is replaced: its runs take seconds.
-StoredCampaign opened(const Plan& plan, const Catalogue& catalogue, const ComparisonStore& store) {
-  if (std::filesystem::exists(store.file)) Store::open(store.file, Store::For::reading);
-  try {
-    return stored_campaign(plan, catalogue, store.file, store.provenance);
-  } catch (const InputError& error) {
-    if (!std::filesystem::remove(store.file)) throw;
-    Progress::announce(fmt::format("{}; it is computed again", error.what()));
-    return stored_campaign(plan, catalogue, store.file, store.provenance);
-  }
+report::Results results_of(const StudyPlan& plan) {
+  const FittedInterpretation& fitted = default_interpretation();
+  const double highest = plan.scan.highest;
+  report::Results results;
+  const std::vector<CaseStudy> cases = study_cases(fitted.scene, plan.scan);
+  add_thresholds(cases, fitted.free.size(), results);
+  add_levers(cases, fitted, plan.coarse, highest, results);
+  add_steps(cases, results);
+  add_conclusions(count_grid(fitted.scene, plan.grid_step, plan.coarse), results);
+  add_theory(cases, results);
+  add_bounds(results);
+  add_interpretation(fitted, results);
+  add_pictures(cases, results);
+  add_maps(cases, results);
+  results.set("step", plan.scan.step);
+  results.set("highest", highest);
+  results.set("grid_step", plan.grid_step);
+  return results;
 }
 
-/// The problems and solvers of the plan. Problems of the literature are left out: compiling them
-/// would double the time to the first report.
-Catalogue paper_catalogue() {
-  return {case_families(), all_solvers(), {}, {}, {}, {}, {}};
+void add_interpretation(const FittedInterpretation& interpretation, report::Results& results) {
+  Table table{"parameters", {{"parameter"}, {"value", "", ".4g"}, {"unit"}, {"origin"}}};
+  for (const Unknown open : unknowns_of(interpretation.interpretation)) {
+    const auto i = static_cast<std::size_t>(open);
+    table.add(unknown_parameters()[i].name, interpretation.constants[i],
+              unknown_parameters()[i].unit,
+              contains(interpretation.free, open) ? "fitted" : "fixed");
+  }
+  const auto* turns = std::get_if<Revolutions>(&interpretation.scene.window);
+  results.set("turns", turns != nullptr ? std::optional(turns->count) : std::nullopt);
+  results.set("interpretation", interpretation.name);
+  results.set("description", interpretation.description);
+  results.set("provenance", interpretation.provenance);
+  results.add(std::move(table));
+}
+
+Table count_grid(const Scene& interpretation, double step, bool coarse) {
+  const std::vector restitutions = coarse
+                                       ? std::vector{0.1, 0.3, 0.5, 0.7, 0.9}
+                                       : std::vector{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+  const std::vector frictions = coarse ? std::vector{0.1, 0.2, 0.3, 0.4}
+                                       : std::vector{0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4};
+  const std::vector disturbances =
+      coarse ? std::vector{0.0, 0.1, 1.0} : std::vector{0.0, 0.1, 0.3, 1.0};
+  Table grid{"grid", columns_named("restitution,friction,disturbance,mean")};
+  for (const double disturbance : disturbances)
+    for (const double friction : frictions)
+      for (const double restitution : restitutions)
+        grid.add(restitution, friction, disturbance, 0.0);
+  Progress progress("counting over the grid", static_cast<double>(grid.rows.size()));
+  tbb::parallel_for(std::size_t{0}, grid.rows.size(), [&](std::size_t i) {
+    const Row row = grid[i];
+    const Case at{
+        "", row.number("restitution"), row.number("friction"), row.number("disturbance"), {}};
+    const auto counts = scan_speeds(scene_of(at, interpretation), step, fastest_speed).counts;
+    grid.rows[i].back() =
+        std::accumulate(counts.begin(), counts.end(), 0.0) / static_cast<double>(counts.size());
+    progress.advance(1);
+  });
+  return grid;
+}
+
+namespace {
+
+/// How often neighbours on a line rise, or fall.
+Value rises(const std::vector<Value>& means) {
+  int count = 0;
+  for (std::size_t k = 1; k < means.size(); ++k) count += means[k] > means[k - 1];
+  return value_of(count);
+}
+Value falls(const std::vector<Value>& means) {
+  return rises({means.rbegin(), means.rend()});
+}
+Value end_to_end(const std::vector<Value>& means) {
+  return *number_in(means.back()) / *number_in(means.front());
+}
+
+/// What the paper concludes of the count along one constant.
+struct Conclusion {
+  const char *name, *claim;
+  std::string along;                  ///< with a minus: it falls
+  std::vector<std::string> constant;  ///< on a line
+};
+
+/// The mean counts without disturbance.
+report::Chart grid_chart(const Table& grid) {
+  const Table still = where(grid, "disturbance", 0.0);
+  report::Chart chart{.name = "grid",
+                      .title = "",
+                      .x = {.label = "restitution"},
+                      .y = {.label = "friction"},
+                      .heat_map = report::HeatMap{"mean count"}};
+  each_row(aggregated(still, {"restitution"}, {}), [&](const Row& row) {
+    chart.x.categories.push_back(fmt::format("{}", row.number("restitution")));
+  });
+  each_row(still, [&](const Row& row) {
+    const std::string friction = fmt::format("{}", row.number("friction"));
+    if (chart.y.categories.empty() || chart.y.categories.back() != friction) {
+      chart.y.categories.push_back(friction);
+      chart.heat_map->rows.emplace_back();
+    }
+    chart.heat_map->rows.back().emplace_back(row.number("mean"));
+  });
+  const auto ends = [&](std::size_t k) {
+    const auto& row = chart.heat_map->rows[k];
+    return fmt::format("{:.2g} to {:.2g} at friction {}", *row.front(), *row.back(),
+                       chart.y.categories[k]);
+  };
+  chart.title = fmt::format("From restitution {} to {} the mean count goes from {}, from {}",
+                            chart.x.categories.front(), chart.x.categories.back(), ends(0),
+                            ends(chart.y.categories.size() - 1));
+  return chart;
 }
 
 }  // namespace
 
-StudyPlan full_plan() {
-  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false,
-          plan_from(embedded::reproduction_plan, "reports/plans/reproduction.toml")};
-}
-
-StudyPlan quick_plan() {
-  return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true,
-          plan_from(embedded::reproduction_quick_plan, "reports/plans/reproduction_quick.toml")};
-}
-
-Findings findings_of(const StudyPlan& plan, const Catalogue& catalogue,
-                     const ComparisonStore& store) {
-  Findings findings;
-  findings.plan = plan;
-  findings.interpretation = default_interpretation();
-  const Scene& scene = findings.interpretation.scene;
-  findings.comparison = opened(plan.comparison, catalogue, store);
-  {
-    const auto cases = all_cases();
-    Progress progress("scanning speeds", static_cast<double>(cases.size()));
-    for (const Case& c : cases) {
-      findings.cases.push_back(study_case(c, scene, plan.scan));
-      progress.advance(1);
-    }
+void add_conclusions(const Table& grid, report::Results& results) {
+  const Conclusion conclusions[] = {
+      {"A", "rises with restitution, without disturbance", "restitution", {"friction"}},
+      {"B", "falls with friction, without disturbance", "-friction", {"restitution"}},
+      {"C",
+       "rises with the disturbance, whatever the other parameters",
+       "disturbance",
+       {"restitution", "friction"}}};
+  Table table{"conclusions",
+              {{"conclusion"},
+               {"claim", "the count"},
+               {"agree", "neighbours as claimed"},
+               {"disagree", "against"},
+               {"weakest", "end to end, least (times)", ".2f"},
+               {"strongest", "most (times)", ".2f"}}};
+  std::string text;
+  for (const Conclusion& it : conclusions) {
+    const Table all = it.along == "disturbance" ? grid : where(grid, "disturbance", 0.0);
+    const Table lines = aggregated(sorted(all, {it.along}), it.constant,
+                                   {{{"agree"}, "mean", rises},
+                                    {{"disagree"}, "mean", falls},
+                                    {{"ratio"}, "mean", end_to_end}});
+    int agree = 0, disagree = 0;
+    double weakest = lines[0].number("ratio"), strongest = weakest;
+    each_row(lines, [&](const Row& line) {
+      agree += static_cast<int>(line.number("agree"));
+      disagree += static_cast<int>(line.number("disagree"));
+      weakest = std::min(weakest, line.number("ratio"));
+      strongest = std::max(strongest, line.number("ratio"));
+    });
+    table.add(it.name, it.claim, agree, disagree, weakest, strongest);
+    text += fmt::format("{}({}) fails between {} of {} neighbours that differ",
+                        text.empty() ? "" : ", ", it.name, disagree, agree + disagree);
   }
-  findings.grid = count_grid(scene, plan.grid_step, plan.coarse_grid);
-  findings.trends = trends(findings.grid);
-  findings.maps = restitution_maps(findings.cases);
-  findings.levers =
-      levers_of(quiet_cases(findings.cases), scene, plan.coarse_grid, plan.scan.highest);
-  make_runs(findings.comparison->campaign, {}, findings.comparison->store);
-  return findings;
-}
-
-report::Results results_of(const Findings& findings) {
-  report::Results results;
-  add_thresholds(findings, results);
-  add_levers(findings, results);
-  add_steps(findings.cases, results);
-  add_conclusions(findings.grid, findings.trends, results);
-  add_theory(findings.cases, results);
-  add_bounds(results);
-  add_solvers(findings.comparison, results);
-  add_interpretation(findings.interpretation, results);
-  add_pictures(findings, results);
-  const StudyPlan& plan = findings.plan;
-  const PlanPart& compared = plan.comparison.parts.front();
-  results.set("step", plan.scan.step);
-  results.set("highest", plan.scan.highest);
-  results.set("grid_step", plan.grid_step);
-  results.set("instances", compared.instances);
-  results.set("evaluations", compared.budgets.back());
-  return results;
-}
-
-Agreement agreement_of(const std::vector<CaseStudy>& cases) {
-  Agreement agreement;
-  std::vector<std::vector<double>> errors;
-  for (const CaseStudy& c : cases) {
-    if (c.the_case.claim.threshold && c.score.threshold)
-      errors.push_back({std::log(*c.score.threshold / *c.the_case.claim.threshold)});
-    for (const Example& e : c.score.examples) {
-      ++agreement.examples;
-      agreement.right += e.right ? 1 : 0;
-    }
-  }
-  agreement.thresholds = static_cast<int>(errors.size());
-  if (errors.empty()) return agreement;
-  std::vector<double> all;
-  for (const auto& error : errors) all.push_back(error.front());
-  agreement.relative_error = root_mean_square(all);
-  agreement.interval = root_mean_square_interval(errors, 0.95, 10'000, 1);
-  return agreement;
+  results.set("conclusions", text + ".");
+  results.add(std::move(table));
+  results.add(grid_chart(grid));
 }
 
 }  // namespace ricochet::studies::reproduction
 
 namespace ricochet::studies {
 
-Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance) {
-  using namespace reproduction;
-  return {
-      "reproduction", "A coarser study, in seconds", [=](bool quick) {
-        return json_of(results_of(findings_of(quick ? quick_plan() : full_plan(), paper_catalogue(),
-                                              {folder / "comparison.sqlite", provenance})));
-      }};
+Study reproduction_study() {
+  using reproduction::StudyPlan;
+  return {"reproduction", "A coarser study, in seconds", [](bool quick) {
+            const StudyPlan plan =
+                quick ? StudyPlan{{1e-2, 1}, 0.2, true} : StudyPlan{{1e-3, 10}, 0.05, false};
+            return json_of(reproduction::results_of(plan));
+          }};
 }
 
 }  // namespace ricochet::studies

@@ -1,138 +1,107 @@
-#include "src/studies/reproduction/levers.h"
-
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "problems/carrier_track/suite/speed_problems.h"
-#include "ricochet/machine.h"
-#include "src/studies/paper/interpretation.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace carrier_track;
+using testing::HasSubstr;
 
-const Scene& interpretation() {
-  return default_interpretation().scene;
+CaseStudy study_of(const char* id) {
+  CaseStudy c{find_case(id), scene_of(find_case(id), default_interpretation().scene), {}, {}, {}};
+  c.borders.quiet = quiet_up_to(c.scene, quiet_per_turn, {slowest_speed, fastest_speed});
+  return c;
 }
 
-std::vector<ThresholdCurve> curves_of(const std::vector<Case>& cases, bool coarse) {
-  return restitution_curves(cases, interpretation(), coarse, fastest_speed);
+const report::Results& levers() {
+  static const report::Results results = [] {
+    report::Results made;
+    add_levers({study_of("C1"), study_of("C4"), study_of("C9")}, default_interpretation(), true,
+               fastest_speed, made);
+    return made;
+  }();
+  return results;
 }
 
-std::optional<double> threshold_of(const Scene& scene) {
-  return quiet_up_to(scene, quiet_per_turn, {slowest_speed, fastest_speed});
+const report::Series& curve(const char* chart, const std::string& label) {
+  return *std::ranges::find(levers().chart(chart)->series, label, &report::Series::label);
 }
 
-/// Expects that the case's threshold is on the curve of its friction and disturbance.
-void expect_on(const std::vector<ThresholdCurve>& curves, const Case& c) {
-  int met = 0;
-  for (const ThresholdCurve& curve : curves) {
-    if (curve.machine.friction != c.friction || curve.machine.disturbance != c.disturbance)
-      continue;
-    for (const CurvePoint& point : curve.points) {
-      if (point.value != c.restitution) continue;
-      EXPECT_EQ(point.speed, threshold_of(scene_of(c, interpretation()))) << c.id;
-      ++met;
-    }
+double speed_at(const report::Series& series, double position) {
+  return std::ranges::find(series.samples, position, &report::Sample::position)->value.value();
+}
+
+TEST(ThresholdCurves, MeetThePapersCasesAndFallWithRestitution) {
+  const report::Series& rough =
+      curve("threshold-over-restitution", "friction 0.4, disturbance 0 N");
+  EXPECT_EQ(speed_at(rough, 0.9), study_of("C4").borders.quiet);
+  EXPECT_EQ(speed_at(curve("threshold-over-restitution", "friction 0.1, disturbance 0 N"), 0.1),
+            study_of("C1").borders.quiet);
+  EXPECT_EQ(rough.samples.front().position, 0.05);
+  EXPECT_FALSE(rough.samples.front().value) << "quiet at every speed tried";
+  for (std::size_t i = 2; i < rough.samples.size(); ++i)
+    EXPECT_LT(rough.samples[i].value, rough.samples[i - 1].value);
+  const auto& all = levers().chart("threshold-over-restitution")->series;
+  EXPECT_EQ(all.size(), 3U) << "coarse ones have no disturbance; and the paper's points";
+  EXPECT_TRUE(all.back().dark);
+}
+
+TEST(ThresholdCurves, OverTheCountingLimitAreThoseOfSuchMachines) {
+  const char* by_limit = "threshold-over-counting-limit";
+  EXPECT_EQ(levers().chart(by_limit)->series.size(), 2U) << "only without disturbance";
+  const report::Series& series = curve(by_limit, "C1: restitution 0.1, friction 0.1");
+  const double own = default_interpretation().scene.counting_limit;
+  EXPECT_EQ(speed_at(series, own / 1e-3), study_of("C1").borders.quiet);
+  Scene scene = study_of("C1").scene;
+  std::string speeds;
+  for (const double limit : {1e-3, 3e-3, own, 10e-3}) {
+    scene.counting_limit = limit;
+    const double speed = *quiet_up_to(scene, quiet_per_turn, {slowest_speed, fastest_speed});
+    EXPECT_EQ(speed_at(series, limit / 1e-3), speed);
+    speeds += fmt::format("{}{:.2f}", speeds.empty() ? "" : limit == 10e-3 ? " and " : ", ", speed);
   }
-  EXPECT_EQ(met, 1) << c.id;
-}
-
-TEST(ThresholdCurves, MeetThePapersCases) {
-  std::vector<Case> undisturbed;
-  for (const char* id : {"C1", "C2", "C3", "C4"}) undisturbed.push_back(find_case(id));
-  const auto curves = curves_of(undisturbed, false);
-  EXPECT_EQ(curves.size(), 2U);  // frictions
-  for (const Case& c : undisturbed) expect_on(curves, c);
-  expect_on(curves_of({find_case("C9")}, false), find_case("C9"));
-}
-
-TEST(ThresholdCurves, FallWithRestitution) {
-  const auto curves = curves_of({find_case("C3"), find_case("C9")}, true);
-  ASSERT_EQ(curves.size(), 2U) << "coarse ones have no disturbance";
-  for (const ThresholdCurve& curve : curves) {
-    EXPECT_EQ(curve.machine.disturbance, 0);
-    EXPECT_EQ(curve.points.front().value, 0.05);
-    EXPECT_EQ(curve.points.back().value, 0.95);
-    for (std::size_t i = 2; i < curve.points.size(); ++i) {
-      EXPECT_LT(curve.points[i].speed, curve.points[i - 1].speed);
-    }
-  }
-  EXPECT_FALSE(curves[1].points.front().speed) << "friction 0.4: quiet at every speed tried";
-}
-
-TEST(ThresholdCurves, OverTheCountingLimitAndTheClearanceAreThoseOfSuchMachines) {
-  const std::vector<Case> cases = {find_case("C1"), find_case("C9")};
-  const double own = interpretation().counting_limit;
-  const auto by_limit =
-      curves_over("counting_limit", {1e-3, own, 10e-3}, cases, interpretation(), fastest_speed);
-  ASSERT_EQ(by_limit.size(), 1U) << "only without disturbance";
-  Scene scene = scene_of(cases[0], interpretation());
-  EXPECT_EQ(by_limit[0].points[1].speed, threshold_of(scene));
-  scene.counting_limit = 10e-3;
-  EXPECT_NEAR(*by_limit[0].points[2].speed, *threshold_of(scene), 1e-9);
-  EXPECT_LT(by_limit[0].points[0].speed, by_limit[0].points[1].speed);
-  const auto by_clearance =
-      curves_over("clearance", {1e-3}, cases, interpretation(), fastest_speed);
-  scene = scene_of(cases[0], interpretation());
-  scene.wall_upper = scene.wall_lower + 1e-3;
-  scene.start_position = scene.wall_lower + 0.5e-3;
-  EXPECT_NEAR(*by_clearance[0].points[0].speed, *threshold_of(scene), 1e-9);
+  EXPECT_THAT(text_of(*levers().value("moves")), HasSubstr("C1 is quiet up to " + speeds));
+  const double least = speed_at(series, 10) / speed_at(series, 1);
+  EXPECT_THAT(levers().chart(by_limit)->title, HasSubstr(fmt::format("{:.1f} times", least)));
+  EXPECT_EQ(levers().chart(by_limit)->lines.at(0).label, "fitted");
 }
 
 /// Dimensions: lengths, times and masses have no scale of their own. Start and window do not matter
 /// in the long run, and the pull hardly does.
 TEST(Exponents, AddUpAsTheirDimensionsSay) {
-  std::vector<QuietCase> cases;
-  for (const char* id : {"C1", "C4", "C9"}) {
-    const Case c = find_case(id);
-    cases.push_back({c, threshold_of(scene_of(c, interpretation()))});
-  }
-  const Levers levers = levers_of(cases, interpretation(), true, fastest_speed);
-  ASSERT_EQ(levers.exponents.size(), 2U) << "C9 is disturbed";
-  for (const CaseExponents& one : levers.exponents) {
+  const Table& exponents = *levers().table("exponents");
+  EXPECT_FALSE(exponents.has("C9")) << "it is disturbed";
+  for (const char* id : {"C1", "C4"}) {
     std::map<std::string, double> of;
-    for (const Sensitivity& s : one.exponents) of[s.key] = s.percent;
-    const double drive = of["centrifugal_mass_radius"] + of["slider_mass_radius"];
-    const double held = of["normal_force"] + of["pull"];
-    EXPECT_NEAR(drive + held + of["clearance"] + of["counting_limit"], 0, 2e-3) << one.id;
-    EXPECT_NEAR(of["mass"] + drive + held, 0, 2e-3) << one.id;
-    EXPECT_NEAR(2 * held + of["counting_limit"], 1, 2e-3) << one.id;
-    EXPECT_GT(std::abs(of["counting_limit"]), 0.1) << one.id;
+    each_row(exponents, [&](const Row& row) { of[row.text("constant")] = row.number(id); });
+    const double drive = of["centrifugal mass radius"] + of["slider mass radius"];
+    const double held = of["normal force"] + of["pull"];
+    EXPECT_NEAR(drive + held + of["clearance"] + of["counting limit"], 0, 5e-3) << id;
+    EXPECT_NEAR(of["mass"] + drive + held, 0, 5e-3) << id;
+    EXPECT_NEAR(2 * held + of["counting limit"], 1, 5e-3) << id;
+    EXPECT_GT(std::abs(of["counting limit"]), 0.1) << id;
   }
 }
 
-TEST(EndEffects, AreFromPairsThatDifferInOneConstant) {
-  const auto machine = [](double restitution, double friction, double disturbance, double speed) {
-    return QuietCase{{"", restitution, friction, disturbance, {}}, speed};
-  };
-  std::vector<QuietCase> cases = {machine(0.1, 0.4, 0, 12), machine(0.1, 0.4, 1, 11.4),
-                                  machine(0.9, 0.4, 0, 4), machine(0.1, 0.1, 0, 8)};
-  const auto restitution = effect_of(&Case::restitution, cases);
-  ASSERT_TRUE(restitution);
-  EXPECT_DOUBLE_EQ(restitution->most, 4.0 / 12);
-  EXPECT_EQ(restitution->pairs, 1U);
-  EXPECT_EQ(told(*restitution), "divides it by 3.0");
-  EXPECT_EQ(told(*effect_of(&Case::friction, cases)), "multiplies it by 1.5");
-  EXPECT_EQ(told(*effect_of(&Case::disturbance, cases)), "lowers it by 5.0 %");
-  cases.push_back(machine(0.1, 0.1, 1, 8.8));
-  EXPECT_EQ(told(*effect_of(&Case::disturbance, cases)), "changes it by -5.0 to +10.0 %");
-  cases.pop_back();
-  cases.pop_back();
-  EXPECT_FALSE(effect_of(&Case::friction, cases)) << "one friction";
-}
-
-TEST(EndEffects, AreReadFromCurves) {
-  const std::vector<ThresholdCurve> curves = {{{}, {{0.1, 8}, {0.5, 4}, {0.9, 2}}},
-                                              {{}, {{0.1, 6}, {0.5, 3.8}, {0.9, 1}}},
-                                              {{}, {{0.1, 10}, {0.5, 7}, {0.9, {}}}}};
-  const auto effect = effect_of(curves, 0.1, 0.9);
-  ASSERT_TRUE(effect);
-  EXPECT_EQ(effect->pairs, 2U);
-  EXPECT_EQ(told(*effect), "divides it by 4.0 to 6.0");
-  EXPECT_FALSE(effect_of(curves, 0.1, 0.8));
+TEST(Exponents, AreTheLargestFirstWithWhatIsKnown) {
+  double largest = 10;
+  std::set<std::string> fitted;
+  each_row(*levers().table("exponents"), [&](const Row& row) {
+    const double most = std::max(std::abs(row.number("C1")), std::abs(row.number("C4")));
+    EXPECT_LE(most, largest);
+    largest = most;
+    if (row.text("known") == "fitted") fitted.insert(row.text("constant"));
+  });
+  EXPECT_EQ(fitted,
+            (std::set<std::string>{"centrifugal mass radius", "clearance", "counting limit"}));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <unistd.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +7,11 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <set>
 
 #include "ricochet/machine.h"
 #include "src/report/markdown_page.h"
 #include "src/report/report.h"
-#include "src/studies/reproduction/sections.h"
-#include "src/studies/suite/suite.h"
-#include "tests/studies/reproduction/tiny_plan.h"
+#include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -27,22 +23,19 @@ using report::Results;
 using testing::HasSubstr;
 using testing::Not;
 
-const Findings& tiny_findings() {
-  static const Findings findings = [] {
-    const auto folder =
-        std::filesystem::path(testing::TempDir()) / fmt::format("ricochet_tiny_{}", getpid());
-    std::filesystem::create_directories(folder);
-    Findings found =
-        findings_of(tiny_plan(), whole_catalogue(), {folder / "comparison.sqlite", {}});
-    std::filesystem::remove_all(folder);
-    return found;
-  }();
-  return findings;
-}
+/// The whole study at the coarsest: a second or two.
+const StudyPlan tiny_plan{{0.1, 1, 18.0}, 6.0, true};
 
 const Results& tiny_results() {
-  static const Results results = results_of(tiny_findings());
+  static const Results results = results_of(tiny_plan);
   return results;
+}
+
+/// The cases of that study.
+const std::vector<CaseStudy>& tiny_cases() {
+  static const std::vector<CaseStudy> cases =
+      study_cases(default_interpretation().scene, tiny_plan.scan);
+  return cases;
 }
 
 /// The data as they are read back from the file, with what every study adds.
@@ -92,101 +85,48 @@ TEST(ReproductionResults, HaveTheBordersOfTheLongRun) {
               1e-12);
 }
 
-TEST(ReproductionResults, SayWhichExampleSpeedsAreOnTheWrongSide) {
-  EXPECT_THAT(text_of(*tiny_results().value("examples")), HasSubstr("Of the 20 speeds"));
-  Findings findings;
-  findings.cases.resize(1);
-  findings.cases[0].the_case.id = "C7";
-  findings.cases[0].score.examples = {Example{1.5, false, 3, true}, Example{8, true, 4, false}};
+CaseStudy made_up(const char* id, std::optional<double> claim, std::optional<double> threshold) {
+  CaseStudy c{};
+  c.the_case.id = id;
+  c.the_case.claim.threshold = claim;
+  c.score.threshold = threshold;
+  return c;
+}
+
+TEST(ReproductionResults, SayHowFarTheyAreFromThePaper) {
+  std::vector<CaseStudy> cases = {made_up("C7", 2.0, 4.0), made_up("C8", 9.0, 9.0),
+                                  made_up("C9", {}, 5.0)};
+  cases[0].score.examples = {Example{1.5, false, 3, true}, Example{8, true, 4, false}};
   Results results;
-  add_thresholds(findings, results);
+  add_thresholds(cases, 5, results);
+  EXPECT_EQ(*results.value("compared"), value_of(2)) << "the paper has none of C9";
+  EXPECT_DOUBLE_EQ(*number_in(*results.value("error")), std::log(2.0) / std::sqrt(2.0));
+  // Two of four samples have one error twice: the interval is from 0 to ln 2.
+  EXPECT_THAT(text_of(*results.value("finding")), HasSubstr("49 % (95 % interval 0 to 69 %)"));
   EXPECT_THAT(
       text_of(*results.value("examples")),
       HasSubstr("Of the 2 speeds that the paper's figures show as quiet or loud, 1 come out "
                 "on the paper's side. On the wrong side: C7 at 8 rad/s (4 collisions, shown "
                 "loud)."));
+  Results none;
+  add_thresholds({made_up("C9", {}, 5.0)}, 5, none);
+  EXPECT_THAT(text_of(*none.value("finding")), HasSubstr("none can be compared"));
 }
 
-TEST(ReproductionResults, HaveAllStepsOfEveryStaircase) {
+TEST(ReproductionResults, SayWhereTheIncreaseIsAStep) {
   const Table& steps = *tiny_results().table("steps");
   ASSERT_EQ(steps.rows.size(), 12U);
-  int sharp = 0;
-  for (std::size_t k = 0; k < steps.rows.size(); ++k) {
-    const CaseStudy& c = tiny_findings().cases[k];
-    const std::string& all = steps[k].text("steps");
-    EXPECT_EQ(steps[k].text("case"), c.the_case.id);
-    EXPECT_EQ(all == "none", c.staircase.steps.empty());
-    for (const Step& step : c.staircase.steps)
-      EXPECT_THAT(all,
-                  HasSubstr(fmt::format("{:.2f} ({} to {})", step.omega, step.below, step.above)));
-    EXPECT_EQ(steps[k].number_if("main").has_value(), !c.staircase.steps.empty());
-    sharp += steps[k].text("rise") == "a step";
-  }
-  EXPECT_GT(sharp, 0);
-  EXPECT_THAT(text_of(*tiny_results().value("rises")), HasSubstr(" of 6 cases"));
-  EXPECT_THAT(text_of(*tiny_results().value("staircases")), HasSubstr("thresholds"));
-}
-
-TEST(ReproductionResults, ToldStepsAreThoseOfTheTable) {
-  int without = 0;
-  const Table& steps = *tiny_results().table("steps");
-  each_row(steps, [&](const Row& row) { without += row.text("steps") == "none"; });
-  EXPECT_THAT(text_of(*tiny_results().value("staircases")),
-              HasSubstr(fmt::format(" {} cases have no step at all", without)));
-}
-
-TEST(ReproductionResults, RankTheBestOfEachFamilyBesideThePapersSolver) {
-  const Table& solvers = *tiny_results().table("solvers");
-  std::map<std::string, double> last;
-  std::set<std::string> paper, drawn;
-  each_row(solvers, [&](const Row& row) {
-    const std::string family = row.text("family");
-    if (const auto rank = row.number_if("rank")) {
-      EXPECT_GE(*rank, last[family]);
-      last[family] = *rank;
-    }
-    if (row.text("solver") == "fireworks") paper.insert(family);
-    if (row.text("solver") == "random-search") drawn.insert(family);
-    EXPECT_LE(row.number("lower"), row.number("share"));
-    EXPECT_GE(row.number("upper"), row.number("share"));
+  std::map<std::pair<double, std::string>, int> number;
+  each_row(steps, [&](const Row& row) { ++number[{row.number("restitution"), row.text("rise")}]; });
+  const Table& rises = *tiny_results().table("rises");
+  ASSERT_EQ(rises.rows.size(), 2U);
+  each_row(rises, [&](const Row& row) {
+    EXPECT_EQ(row.number("cases"), 6);
+    EXPECT_EQ(row.number("steps"), (number[{row.number("restitution"), "a step"}]));
+    EXPECT_EQ(row.number("climbs"), (number[{row.number("restitution"), "a climb"}]));
   });
-  EXPECT_EQ(paper.size(), 2U);
-  EXPECT_EQ(drawn.size(), 2U);
-  const Chart& runtimes = *tiny_results().chart("runtimes");
-  EXPECT_EQ(std::ranges::count_if(runtimes.series, &report::Series::dark), 1) << "the paper's";
-  for (const report::Series& series : runtimes.series) {
-    EXPECT_EQ(series.samples.front().value, 0);
-    EXPECT_TRUE(std::ranges::is_sorted(series.samples, {}, &report::Sample::value));
-  }
-}
-
-TEST(ReproductionResults, ShowWhatMovesTheSpeed) {
-  const Table& exponents = *tiny_results().table("exponents");
-  double largest = 10;
-  std::set<std::string> fitted;
-  each_row(exponents, [&](const Row& row) {
-    double most = 0;
-    for (const char* id : {"C1", "C2", "C3", "C4"})
-      most = std::max(most, std::abs(row.number_if(id).value_or(0)));
-    EXPECT_LE(most, largest) << "the strongest first";
-    largest = most;
-    if (row.text("known") == "fitted") fitted.insert(row.text("constant"));
-  });
-  EXPECT_EQ(fitted,
-            (std::set<std::string>{"centrifugal mass radius", "clearance", "counting limit"}));
-  const std::string moves = text_of(*tiny_results().value("moves"));
-  EXPECT_THAT(moves, HasSubstr("fitted to the paper's thresholds and not measured"));
-  Scene scene = scene_of(find_case("C1"), default_interpretation().scene);
-  std::string speeds;
-  for (const double limit : {1e-3, 3e-3, default_interpretation().scene.counting_limit, 10e-3}) {
-    scene.counting_limit = limit;
-    const double speed = *quiet_up_to(scene, quiet_per_turn);
-    speeds += fmt::format("{}{:.2f}", speeds.empty() ? "" : limit == 10e-3 ? " and " : ", ", speed);
-  }
-  EXPECT_THAT(moves, HasSubstr("C1 is quiet up to " + speeds + " rad/s"));
-  const Chart& chart = *tiny_results().chart("threshold-over-counting-limit");
-  EXPECT_EQ(chart.series.size(), 4U);
-  EXPECT_EQ(chart.lines.at(0).label, "fitted");
+  EXPECT_GT(rises[0].number("steps"), 0);
+  EXPECT_EQ(*tiny_results().value("claimed-counts"), value_of(10));
 }
 
 TEST(ReproductionResults, HaveAPictureOfEveryFigure) {
@@ -199,14 +139,14 @@ TEST(ReproductionResults, HaveAPictureOfEveryFigure) {
   EXPECT_EQ(charts["c11"], 1U) << "the paper has no figure";
   const Chart& count = *parts[0].results.chart("count");
   EXPECT_EQ(count.lines.size(), 3U);
-  const SpeedScan& scan = tiny_findings().cases[0].scan;
+  const SpeedScan& scan = tiny_cases()[0].scan;
   for (const report::Sample& sample : count.series[0].samples) {
     const auto k = static_cast<std::size_t>(std::lround(sample.position / scan.step)) - 1;
     EXPECT_EQ(sample.value, scan.counts.at(k)) << sample.position;
   }
   const Chart& quiet = *parts[0].results.chart("quiet");
   EXPECT_EQ(quiet.series[1].samples.size(),
-            static_cast<std::size_t>(tiny_findings().cases[0].paths->quiet.count));
+            static_cast<std::size_t>(tiny_cases()[0].score.examples[0].count));
   EXPECT_THAT(quiet.title, HasSubstr("5 impacts count, 2 of the start"));
 }
 
@@ -225,7 +165,7 @@ TEST(ReproductionResults, MapTheRegimesOfBothFrictions) {
   }
 }
 
-/// Whoever looks at the page sees all that the data have.
+/// The page shows all that the data have.
 TEST(ReproductionResults, AllHaveAReaderAndCanBeDrawn) {
   const std::string source = report::page_template("reproduction");
   const auto has_reader = [&](const std::string& name) {
@@ -244,6 +184,11 @@ TEST(ReproductionResults, AllHaveAReaderAndCanBeDrawn) {
   EXPECT_THAT(failures, testing::IsEmpty());
   EXPECT_TRUE(files.contains("c4-count.svg")) << "README shows it";
   EXPECT_THAT(files.at("summary.md"), Not(HasSubstr("{{")));
+}
+
+TEST(ReproductionResults, AreTheSameOnAnyNumberOfThreads) {
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(json_of(results_of(tiny_plan)), json_of(tiny_results()));
 }
 
 TEST(ReproductionResults, AreEnoughToDrawThePageAgain) {

@@ -91,6 +91,7 @@ struct BestValuesOptions {
   std::string out = "reports/best-values/best_known.toml";
   std::string from;           ///< if not empty: take values from the runs of this store instead
   std::string hard_machines;  ///< if not empty: search for hard machines, and write them here
+  bool prove = false;         ///< say which are proven instead
 };
 
 /// The whole path of a file, as a terminal may show it.
@@ -112,15 +113,19 @@ int best_values(const BestValuesOptions& options) {
   if (options.seconds && !(*options.seconds >= 0)) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }
+  std::vector<Family> families = carrier_track::case_families();
+  families.push_back(carrier_track::calibration_family());
+  const std::vector<Problem> problems = every_problem(families);
+  if (options.prove) {
+    fmt::print("{}", terminal_text_of(proofs(matching(problems, options.problems))));
+    return 0;
+  }
   studies::best_values::Plan plan;
   plan.problems = options.problems;
   if (options.seconds) plan.seconds = *options.seconds;
   plan.effort.evaluations_per_variable = options.budget;
   const std::filesystem::path file = options.out;
   const FolderLock alone(file.has_parent_path() ? file.parent_path() : ".");
-  std::vector<Family> families = carrier_track::case_families();
-  families.push_back(carrier_track::calibration_family());
-  const std::vector<Problem> problems = every_problem(families);
   if (!options.from.empty()) {
     const std::size_t improved = take_stored_values(problems, options.from, file);
     fmt::print("{} best values better than before{}\n", improved,
@@ -164,6 +169,11 @@ void add_best_values(CommandLine& line) {
             "this file",
             "FILE")
       ->excludes("--problems", "--seconds", "--budget", "--from", "--out");
+  command
+      ->add_flag("--prove", options->prove,
+                 "Instead: say of every problem of one variable whether a complete scan leaves a "
+                 "better point")
+      ->excludes("--seconds", "--budget", "--from", "--out", "--hard-machines");
   line.on_call(command, [options] { return best_values(*options); });
 }
 

@@ -11,12 +11,13 @@
 #include "problems/carrier_track/suite/best_known.h"
 #include "problems/carrier_track/suite/hard_machines.h"
 #include "ricochet/problem.h"
-#include "ricochet/run.h"
+#include "src/report/table.h"
 
+/// The best values of problems, by searches, from the runs of a store, and whether they are proven.
 namespace ricochet::studies::best_values {
 
 using carrier_track::BestKnown;
-using carrier_track::scan_for_best;
+using carrier_track::BestValues;
 
 /// Effort for a best value, in evaluations instead of seconds, so that results are reproducible.
 struct Effort {
@@ -25,14 +26,12 @@ struct Effort {
   int rounds = 2;  ///< of three searches each; none begins after two agree
 };
 
-/// Returns the best true objective of a problem of several variables: by three solvers that do best
-/// on such problems, each restarted until its evaluations are spent and improved by local solvers,
-/// until two searches end within the problem's tolerance of the best, or all rounds are over.
-/// Constraints are penalised for solvers that take none. The problem's best known point stays if no
-/// search finds a better one. The provenance says how many searches agree.
-BestKnown search_for_best(const Problem& problem, const Effort& effort);
-
-/// Scans a problem of one variable at its step; uses solvers for several variables.
+/// Returns the best true objective of a problem. One variable is scanned at the problem's step. For
+/// several, three solvers that do best on such problems are each restarted until their evaluations
+/// are spent and improved by local solvers, until two searches end within the problem's tolerance
+/// of the best, or all rounds are over. Constraints are penalised for solvers that take none. The
+/// problem's best known point stays if no search finds a better one. The provenance says how many
+/// searches agree.
 BestKnown best_of(const Problem& problem, const Effort& effort);
 
 /// Which best values are searched for, and for how long.
@@ -50,8 +49,9 @@ struct Outcome {
   std::size_t infeasible = 0;  ///< no feasible point evaluated
 };
 
-/// Returns true if the name contains the pattern, or matches it as in a shell if it has * ? or [.
-bool matches(const std::string& name, const std::string& pattern);
+/// The problems whose name contains the pattern, or matches it as in a shell if it has * ? or [.
+/// Throws InputError if there is none.
+std::vector<Problem> matching(const std::vector<Problem>& problems, const std::string& pattern);
 
 /// Searches for the best values of the problems, in parallel, and writes them to the file of
 /// best_known.h once all are complete. Until then finished values are kept in "<file>.part", so
@@ -62,21 +62,8 @@ bool matches(const std::string& name, const std::string& pattern);
 Outcome find_best_values(const std::vector<Problem>& problems, const Plan& plan,
                          const std::filesystem::path& file);
 
-using carrier_track::BestValues;
-
 /// The values in a file; none if there is no file. Throws InputError for invalid text.
 BestValues read_if_there(const std::filesystem::path& file);
-
-/// The true objective of a value's point, evaluated by this version; infinite if it is not a
-/// feasible point of the problem.
-double worth(const Problem& problem, const BestKnown& best);
-
-/// The provenance of the last point of a run's trace, which must not be empty.
-std::string finder_of(const RunRecord& record);
-
-/// The best values of the problems, by name: those in the program or in the file, whichever is
-/// better, the file's if they are equal; evaluated by this version.
-BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file);
 
 /// Takes the points of a store's runs that are better than the best values known by more than the
 /// problem's tolerance, as reports have it, and writes all values to a file of best_known.h.
@@ -87,19 +74,20 @@ std::size_t take_stored_values(const std::vector<Problem>& problems,
                                const std::filesystem::path& store,
                                const std::filesystem::path& file);
 
-// The search for machines whose fastest quiet speed is hard to find.
+/// Of the problems of one variable with a best known value, those of which a complete scan can tell
+/// whether a better point exists (Problem::not_excluded): problem, best, whether it is proven that
+/// none is better, and the ranges of the variable that are left, "none" if proven. In parallel.
+Table proofs(const std::vector<Problem>& problems);
 
-using carrier_track::HardMachine;
-using carrier_track::HardMachines;
-using carrier_track::Machine;
-using carrier_track::Scene;
+// The search for machines whose fastest quiet speed is hard to find.
 
 /// Returns a random machine around a case of an interpretation, with the case's window. Every
 /// parameter (see constants_of) is that of the interpretation times 1/2 to 2, log-uniform. The
 /// disturbance, the only force whose frequency differs from the plate's, has 0.1 to 100 N and 1 to
 /// 100 rad/s, both log-uniform; its phase and the plate's are uniform. The quiet limit is that of
 /// machine_of(scene, ...). The result depends only on interpretation, case and number.
-Machine random_machine(const Scene& interpretation, const std::string& around, int draw);
+carrier_track::Machine random_machine(const carrier_track::Scene& interpretation,
+                                      const std::string& around, int draw);
 
 /// Returns how hard a machine is if all of these hold, else nothing:
 /// - Of the speeds 1e-4, 2e-4, ..., 18 rad/s those of the last quiet interval are 0.1 % to 1 % of
@@ -111,10 +99,10 @@ Machine random_machine(const Scene& interpretation, const std::string& around, i
 /// - Bisection ends elsewhere if started in the middle of the box, at one of its ends, or from
 ///   three quarters of the places in between.
 /// Scans more coarsely first, so that most machines are cheap.
-std::optional<HardMachine> judged_hard(const Machine& machine);
+std::optional<carrier_track::HardMachine> judged_hard(const carrier_track::Machine& machine);
 
 /// Of `draws` machines around each case of the default interpretation, returns the `wanted` ones
 /// with the narrowest last quiet intervals, at most five around one case. The narrowest is "01".
-HardMachines find_hard_machines(int draws, std::size_t wanted);
+carrier_track::HardMachines find_hard_machines(int draws, std::size_t wanted);
 
 }  // namespace ricochet::studies::best_values

@@ -47,24 +47,23 @@ struct LastQuietInterval {
 /// `slack` is the possible error of a coarse scan.
 std::optional<LastQuietInterval> last_quiet_interval(const Machine& machine, double step,
                                                      double slack) {
-  const SpeedScan scan = scan_speeds(machine.scene, step, fastest_speed);
-  const std::vector<QuietInterval> found = quiet_intervals(scan, machine.quiet_limit);
+  const std::vector<QuietInterval> found =
+      quiet_intervals(scan_speeds(machine.scene, step, fastest_speed), machine.quiet_limit);
   if (found.size() < 2) return std::nullopt;
-  LastQuietInterval last{found.back(), {}};
-  Hardness& hardness = last.hardness;
-  for (const QuietInterval& quiet_interval : found) {
-    if (quiet_interval.width() < speed_tolerance - slack) continue;
-    if (hardness.quiet_intervals++ == 0) hardness.first_end = quiet_interval.to;
+  const QuietInterval& last = found.back();
+  Hardness hardness;
+  for (const QuietInterval& one : found) {
+    if (one.width() < speed_tolerance - slack) continue;
+    if (hardness.quiet_intervals++ == 0) hardness.first_end = one.to;
   }
-  hardness.last_begin = last.quiet_interval.from;
-  hardness.loud_before = last.quiet_interval.from - found[found.size() - 2].to;
+  hardness.last_begin = last.from;
+  hardness.loud_before = last.from - found[found.size() - 2].to;
   const double box = fastest_speed - slowest_speed;
-  const bool hard =
-      hardness.quiet_intervals > 1 && last.quiet_interval.width() >= least_share * box - slack &&
-      last.quiet_interval.width() <= largest_share * box + slack &&
-      last.quiet_interval.to - hardness.first_end >= least_distance - slack &&
-      hardness.loud_before >= least_loud - slack && last.quiet_interval.to < fastest_best;
-  return hard ? std::optional(last) : std::nullopt;
+  const bool hard = hardness.quiet_intervals > 1 && last.width() >= least_share * box - slack &&
+                    last.width() <= largest_share * box + slack &&
+                    last.to - hardness.first_end >= least_distance - slack &&
+                    hardness.loud_before >= least_loud - slack && last.to < fastest_best;
+  return hard ? std::optional(LastQuietInterval{last, hardness}) : std::nullopt;
 }
 
 /// The end of the quiet interval [rad/s], to bisected_to: between a quiet speed and a loud one.
@@ -76,19 +75,8 @@ double end_of(const Machine& machine, double quiet, double loud) {
   return quiet;
 }
 
-bool certain_about(const Machine& machine, double speed) {
-  for (const double at : {speed - finest_step, speed, speed + finest_step}) {
-    if (!record(at_speed(machine.scene, at), default_smoothing, 0).certainty.certain) return false;
-  }
-  return true;
-}
-
-/// Returns the result of bisection started at this share of the box.
-double bisected(const Problem& problem, double share) {
-  Evaluator evaluator(problem, Budget{100});
-  Random unused;
-  const Vector start = problem.lower + share * (problem.upper - problem.lower);
-  return bisection().solve(evaluator, start, unused).point.value_or(problem.upper)[0];
+bool is_certain(const Machine& machine, double speed) {
+  return record(at_speed(machine.scene, speed), default_smoothing, 0).certainty.certain;
 }
 
 /// Returns true if bisection misses the best speed from the middle, which is also its continuation
@@ -99,11 +87,17 @@ bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
   constexpr int parts = 256;
   int solved = 0;
   for (int k = 1; k < parts; ++k) {
-    const double gap = best - bisected(problem, static_cast<double>(k) / parts);
-    const bool solves = gap <= speed_tolerance;
-    if (solves && k == parts / 2) return false;
-    solved += solves ? 1 : 0;
-    if (k == parts / 2) hardness.bisection_gap = gap;
+    Evaluator evaluator(problem, Budget{100});
+    Random unused;
+    const Vector start =
+        problem.lower + static_cast<double>(k) / parts * (problem.upper - problem.lower);
+    const double gap =
+        best - bisection().solve(evaluator, start, unused).point.value_or(problem.upper)[0];
+    if (k == parts / 2) {
+      if (gap <= speed_tolerance) return false;
+      hardness.bisection_gap = gap;
+    }
+    solved += gap <= speed_tolerance ? 1 : 0;
   }
   hardness.bisection_share = static_cast<double>(solved) / (parts - 1);
   return hardness.bisection_share <= largest_bisection_share;
@@ -139,7 +133,8 @@ std::optional<HardMachine> judged_hard(const Machine& machine) {
   if (!last) return std::nullopt;
   const double best =
       end_of(machine, last->quiet_interval.to, last->quiet_interval.to + finest_step);
-  if (!certain_about(machine, best)) return std::nullopt;
+  for (const double at : {best - finest_step, best, best + finest_step})
+    if (!is_certain(machine, at)) return std::nullopt;
   HardMachine hard;
   hard.hardness = last->hardness;
   if (!bisection_misses(machine, best, hard.hardness)) return std::nullopt;

@@ -34,11 +34,32 @@ std::vector<Problem> problems() {
 }
 
 TEST(BestValues, MatchesByPartsAndByPatterns) {
-  EXPECT_TRUE(matches("profile-wear-8-C1", ""));
-  EXPECT_TRUE(matches("profile-wear-8-C1", "wear"));
-  EXPECT_TRUE(matches("profile-wear-8-C1", "profile-*-C1"));
-  EXPECT_FALSE(matches("profile-wear-8-C12", "profile-*-C1"));
-  EXPECT_FALSE(matches("profile-wear-8-C1", "design"));
+  Problem first = stairs(), second = stairs();
+  first.name = "profile-wear-8-C1";
+  second.name = "profile-wear-8-C12";
+  const auto matches = [&](const char* pattern) {
+    return matching({first, second}, pattern).size();
+  };
+  EXPECT_EQ(matches(""), 2U);
+  EXPECT_EQ(matches("wear"), 2U);
+  EXPECT_EQ(matches("profile-*-C1"), 1U);
+  EXPECT_THROW(matches("design"), InputError);
+}
+
+TEST(BestValues, AreProvenWhereACompleteScanLeavesNothingBetter) {
+  Problem proven = stairs(), open = speeds(), untold = stairs();
+  for (Problem* problem : {&proven, &open, &untold}) problem->best_known = -3;
+  untold.best_known = {};
+  untold.not_excluded = proven.not_excluded = [](double) { return std::vector<CoordinateRange>(); };
+  open.not_excluded = [](double best) {
+    return std::vector<CoordinateRange>{{-best, 3.25}, {3.5, 3.75}};
+  };
+  const Table table = proofs({proven, open, untold, cut_bowl()});
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_TRUE(table[0].is("proven"));
+  EXPECT_EQ(table[0].text("left"), "none");
+  EXPECT_FALSE(table[1].is("proven"));
+  EXPECT_EQ(table[1].text("left"), "3 to 3.25, 3.5 to 3.75");
 }
 
 TEST(BestValues, WritesTheBestValuesAndLeavesNothingElse) {

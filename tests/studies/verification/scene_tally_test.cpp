@@ -2,11 +2,13 @@
 
 #include "src/studies/verification/verification.h"
 
-namespace ricochet::studies::verification {
+namespace ricochet::studies {
 namespace {
 
-carrier_track::Comparison comparison(bool certain, int count, int true_values) {
-  carrier_track::Comparison c;
+using carrier_track::Comparison;
+
+Comparison comparison(bool certain, int count, int true_values) {
+  Comparison c;
   c.certain = certain;
   c.count = count;
   c.true_values = true_values;
@@ -15,42 +17,35 @@ carrier_track::Comparison comparison(bool certain, int count, int true_values) {
   return c;
 }
 
-TEST(SceneTally, TellsWrongCountsThatWereCalledCertainFromOthers) {
-  SceneTally tally{"some"};
-  tally.add(comparison(true, 3, 3));
-  tally.add(comparison(true, 3, 4));
-  tally.add(comparison(false, 3, 4));
-  tally.add(comparison(false, 3, 3));
-  EXPECT_EQ(tally.scenes, 4);
-  EXPECT_EQ(tally.certain, 0.5);
-  EXPECT_EQ(tally.wrong_certain, 1);
-  EXPECT_EQ(tally.wrong_uncertain, 1);
-  EXPECT_EQ(tally.matched, 4);  // of those called certain
+TEST(Tally, SeparatesWrongCountsThatWereCalledCertainFromOthers) {
+  const Table table = tally("some", {comparison(true, 3, 3), comparison(true, 3, 4),
+                                     comparison(false, 3, 4), comparison(false, 3, 3)});
+  const Row row = table[0];
+  EXPECT_EQ(row.text("scenes"), "some");
+  EXPECT_EQ(row.number("number"), 4);
+  EXPECT_EQ(row.number("certain"), 0.5);
+  EXPECT_EQ(row.number("wrong_certain"), 1);
+  EXPECT_EQ(row.number("wrong_uncertain"), 1);
+  EXPECT_EQ(row.number("matched"), 4) << "of those called certain";
 }
 
-TEST(SceneTally, LeavesOutWhatTheOracleBrokeOff) {
-  SceneTally tally{"some"};
-  carrier_track::Comparison broken = comparison(true, 3, 4);
+TEST(Tally, LeavesOutWhatTheOracleBrokeOff) {
+  Comparison broken = comparison(true, 3, 4);
   broken.compared = false;
-  tally.add(broken);
-  tally.add(comparison(true, 3, 3));
-  EXPECT_EQ(tally.compared(), 1);
-  EXPECT_EQ(tally.broken_off, 1);
-  EXPECT_EQ(tally.certain, 1.0);
-  EXPECT_EQ(tally.wrong_certain, 0);
+  const Table table = tally("some", {broken, comparison(true, 3, 3)});
+  EXPECT_EQ(table[0].number("capped"), 1);
+  EXPECT_EQ(table[0].number("certain"), 1);
+  EXPECT_EQ(table[0].number("wrong_certain"), 0);
 }
 
-TEST(SceneTally, TakesErrorsOnlyFromScenesWhoseImpactsAllMatch) {
-  SceneTally tally{"some"};
-  carrier_track::Comparison unmatched = comparison(true, 3, 3);
+TEST(Tally, TakesErrorsOnlyFromScenesWhoseImpactsAllMatch) {
+  Comparison unmatched = comparison(true, 3, 3);
   unmatched.missed = 1;
   unmatched.time_error = 1;
-  tally.add(unmatched);
-  EXPECT_EQ(tally.time_error, 0.0);
-  tally.add(comparison(true, 3, 3));
-  EXPECT_EQ(tally.time_error, 1e-9);
-  EXPECT_EQ(tally.missed, 1);
+  const Table table = tally("some", {unmatched, comparison(true, 3, 3)});
+  EXPECT_EQ(table[0].number("time_error"), 1e-9);
+  EXPECT_EQ(table[0].number("missed"), 1);
 }
 
 }  // namespace
-}  // namespace ricochet::studies::verification
+}  // namespace ricochet::studies

@@ -1,3 +1,10 @@
+#ifdef RICOCHET_HAS_PAGMO
+#include <fmt/format.h>
+
+#include <memory>
+#include <pagmo/problems/cec2013.hpp>
+#endif
+
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -92,5 +99,21 @@ Problem shifted_sphere(double shift, Eigen::Index n) {
   };
   return problem;
 }
+
+#ifdef RICOCHET_HAS_PAGMO
+Problem cec2013(unsigned number, unsigned n) {
+  const auto function = std::make_shared<const pagmo::cec2013>(number, n);
+  Problem problem = on_the_box(fmt::format("cec2013-{}", number), n);
+  problem.source = "CEC 2013, as pagmo has it";
+  problem.start = Vector::Zero(n);
+  // -1400 for function 1, in steps of 100 without 0, to 1400 for function 28 (Liang, Qu, Suganthan
+  // and Hernandez-Diaz, Technical Report 201212, Zhengzhou University, 2013).
+  const double best = number <= 14 ? 100.0 * number - 1500 : 100.0 * number - 1400;
+  problem.evaluate = [function, best](const Vector& x) {
+    return Values{function->fitness({x.begin(), x.end()})[0] - best, {}};
+  };
+  return problem;
+}
+#endif
 
 }  // namespace ricochet::studies::fireworks

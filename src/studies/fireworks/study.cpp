@@ -109,75 +109,70 @@ constexpr std::pair<const char*, const char*> descriptions[] = {
     {"mgfwa", "lotfwa with guiding sparks: Meng and Tan, 2023, as in their program"},
     {"fwassp", "search space partition: Li and Tan, 2021, as in their program"}};
 
-/// Returns variants of the algorithm of 2010 that begin in this region.
-std::vector<Solver> interpretations(const StartRegion& start) {
+/// A published mean, and who is to give it.
+struct Published {
+  Entry entry;
+  std::string function;
+  OtherMean other;
+};
+
+/// Adds a row for each mean.
+void add_means(Table& results, const std::vector<Published>& means, std::int64_t evaluations,
+               int runs, const std::string& progress) {
+  std::vector<Entry> entries;
+  for (const Published& mean : means) entries.push_back(mean.entry);
+  const auto errors = errors_of(entries, evaluations, runs, progress);
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const OtherMean& other = means[k].other;
+    const Moments moments = moments_of(errors[k]);
+    // A published zero of 2010, which has a deviation, must be one.
+    const bool is_zero = other.deviation && other.mean < zero;
+    results.add(entries[k].solver.name, means[k].function, moments.mean, moments.deviation,
+                other.mean, other.deviation,
+                is_zero ? moments.mean < zero : agrees(moments, other));
+  }
+}
+
+/// The nine means of 2010, by each interpretation of that algorithm.
+std::vector<Published> means_of_2010() {
+  const Json& table = published()["table_3"];
   // Tan and Zhu's paper rounds; their program rounds up.
   FireworksOptions rounded = authors_options();
   rounded.moved = rounded.gaussian_moved = Moved::rounded;
-  std::vector<Solver> solvers;
-  for (auto [name, options] :
-       {std::pair("fireworks", paper_options()), std::pair("fireworks-authors", authors_options()),
-        std::pair(rounded_name, rounded)}) {
-    options.start_region = start;
-    solvers.push_back(ricochet::fireworks::fireworks(name, options));
-  }
-  return solvers;
-}
-
-void add_result(Table& results, const Solver& solver, const Json& row, const Moments& moments,
-                const OtherMean& other, bool agreeing) {
-  results.add(solver.name, row["function"].get<std::string>(), moments.mean, moments.deviation,
-              other.mean, other.deviation, agreeing);
-}
-
-/// Adds the nine means of 2010.
-void add_results_of_2010(Table& results, int runs) {
-  const Json& table = published()["table_3"];
+  std::vector<Published> means;
   for (const Json& row : table["rows"]) {
     const Problem problem = benchmark_function(row["function"].get<std::string>(), dimension);
-    const std::vector<Solver> solvers =
-        interpretations({row["lower"].get<double>(), row["upper"].get<double>()});
-    std::vector<Entry> entries;
-    for (const Solver& solver : solvers) entries.push_back({solver, [problem] { return problem; }});
-    const auto errors = errors_of(entries, evaluations_of_2010, runs, problem.name);
     const OtherMean other{row["mean"].get<double>(), table["runs"].get<int>(),
                           row["deviation"].get<double>()};
-    for (std::size_t i = 0; i < solvers.size(); ++i) {
-      const Moments moments = moments_of(errors[i]);
-      // A published zero must be one, another mean must not differ significantly.
-      const bool agreeing = other.mean < zero ? moments.mean < zero : agrees(moments, other);
-      add_result(results, solvers[i], row, moments, other, agreeing);
+    for (auto [name, options] :
+         {std::pair("fireworks", paper_options()),
+          std::pair("fireworks-authors", authors_options()), std::pair(rounded_name, rounded)}) {
+      options.start_region = {row["lower"].get<double>(), row["upper"].get<double>()};
+      means.push_back(
+          {{ricochet::fireworks::fireworks(name, options), [problem] { return problem; }},
+           problem.name,
+           other});
     }
   }
+  return means;
 }
 
-/// Adds the means of the competition of CEC 2013.
-void add_results_of_2013(Table& results, const ComparisonPlan& plan) {
+/// Those of the competition of CEC 2013; none without pagmo.
+std::vector<Published> means_of_2013() {
+  std::vector<Published> means;
 #ifdef RICOCHET_HAS_PAGMO
   const Json& table = published()["cec2013"];
-  std::vector<Entry> entries;
-  std::vector<const Json*> rows;
   for (const Solver& solver : family()) {
     for (const Json& row : table["rows"]) {
       if (!row.contains(solver.name)) continue;
-      entries.push_back({solver, [number = row["number"].get<unsigned>()] {
-                           return cec2013(number, dimension);
-                         }});
-      rows.push_back(&row);
+      const auto number = row["number"].get<unsigned>();
+      means.push_back({{solver, [number] { return cec2013(number, dimension); }},
+                       row["function"].get<std::string>(),
+                       {row[solver.name].get<double>(), table["runs"].get<int>()}});
     }
   }
-  const auto errors = errors_of(entries, plan.competition_evaluations, plan.competition_runs,
-                                "functions of CEC 2013");
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    const Solver& solver = entries[k].solver;
-    const Moments moments = moments_of(errors[k]);
-    const OtherMean other{(*rows[k])[solver.name].get<double>(), table["runs"].get<int>()};
-    add_result(results, solver, *rows[k], moments, other, agrees(moments, other));
-  }
-#else
-  (void)results;
-  (void)plan;
 #endif
+  return means;
 }
 
 Table results_table(const ComparisonPlan& plan) {
@@ -189,8 +184,9 @@ Table results_table(const ComparisonPlan& plan) {
                  {"published", "theirs", ".4g", 17},
                  {"published_deviation", "standard deviation of theirs", ".2g"},
                  {"agrees", "agrees", "mark"}}};
-  add_results_of_2010(results, plan.runs);
-  add_results_of_2013(results, plan);
+  add_means(results, means_of_2010(), evaluations_of_2010, plan.runs, "functions of 2010");
+  add_means(results, means_of_2013(), plan.competition_evaluations, plan.competition_runs,
+            "functions of CEC 2013");
   // By solver, each with its functions in the order of the publication.
   Table ordered{results.name, results.columns};
   for (const auto& [name, description] : descriptions) {

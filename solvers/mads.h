@@ -84,7 +84,6 @@ class Mesh {
 
   int index() const { return index_; }
   double spacing() const { return std::ldexp(1.0, -2 * index_); }
-  double poll_size() const { return std::ldexp(1.0, -index_); }
 
   void refine() { ++index_; }
   void coarsen() { index_ = std::max(index_ - 1, coarsest); }

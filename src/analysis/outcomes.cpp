@@ -190,9 +190,4 @@ Targets targets_of(const Problem& problem) {
   return targets;
 }
 
-double share_reached(const Targets& targets, double gap) {
-  const auto reached = targets.end() - std::lower_bound(targets.begin(), targets.end(), gap);
-  return static_cast<double>(reached) / static_cast<double>(targets.size());
-}
-
 }  // namespace ricochet::comparison

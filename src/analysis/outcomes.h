@@ -169,7 +169,4 @@ double reference_gap(const Problem& problem);
 /// evenly spaced on a logarithmic scale. The tolerance alone if the reference gap is within it.
 Targets targets_of(const Problem& problem);
 
-/// The share of the targets that this optimality gap reaches.
-double share_reached(const Targets& targets, double gap);
-
 }  // namespace ricochet::comparison

@@ -202,6 +202,16 @@ Value count_of(const std::vector<Value>& values) {
   return static_cast<std::int64_t>(values.size());
 }
 
+Value sum_of(const std::vector<Value>& values) {
+  double sum = 0;
+  bool whole = true;
+  for (const Value& value : values) {
+    sum += number_in(value).value_or(0);
+    whole = whole && !std::holds_alternative<double>(value);
+  }
+  return whole ? Value(static_cast<std::int64_t>(sum)) : Value(sum);
+}
+
 Value least_of(const std::vector<Value>& values) {
   const auto numbers = numbers_in(values);
   return numbers.empty() ? Value() : *std::ranges::min_element(numbers);

@@ -149,6 +149,7 @@ struct Aggregate {
 
 // Functions of the values of a group. Missing values are left out, except by count_of.
 Value count_of(const std::vector<Value>& values);
+Value sum_of(const std::vector<Value>& values);  ///< whole of whole numbers; 0 of none
 Value least_of(const std::vector<Value>& values);
 Value most_of(const std::vector<Value>& values);
 Value mean_of(const std::vector<Value>& values);

@@ -150,7 +150,9 @@ TEST_F(RatedCampaign, CountsEveryTargetOfEveryRunOverTime) {
           if (static_cast<double>(step.evaluations) <= reach.evaluations)
             best = step.optimality_gap;
         }
-        share += share_reached(*result.targets, best) / (3.0 * 4);
+        share += static_cast<double>(std::ranges::count_if(
+                     *result.targets, [&](double target) { return best <= target; })) /
+                 static_cast<double>(result.targets->size()) / (3.0 * 4);
       }
     }
     EXPECT_NEAR(reach.share, share, 1e-12) << reach.evaluations;

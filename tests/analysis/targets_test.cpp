@@ -74,15 +74,5 @@ TEST(Targets, OfToleranceZeroAreFinite) {
   EXPECT_TRUE(std::isfinite(targets.back()));
 }
 
-TEST(Targets, AreReachedOneByOne) {
-  const Targets targets = {0.5, 1.5, 2.5, 3.5};
-  for (double gap = -1; gap < 5; gap += 0.25) {
-    const auto reached =
-        std::count_if(targets.begin(), targets.end(), [&](double target) { return gap <= target; });
-    EXPECT_EQ(share_reached(targets, gap), static_cast<double>(reached) / 4) << gap;
-  }
-  EXPECT_EQ(share_reached(targets, std::numeric_limits<double>::infinity()), 0);
-}
-
 }  // namespace
 }  // namespace ricochet::comparison

@@ -45,7 +45,7 @@ struct Agreement {
 std::optional<Agreement> agreement_of(const Order& a, const Order& b);
 
 /// Expected running time of random search on the true values of a problem, with the largest budget
-/// [evaluations]; infinite if it never solved it, nothing if it was not run there.
+/// [evaluations]; infinite if no run solved it, nothing if it was not run there.
 std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem);
 
 /// The runs of a problem with the largest budget, by the returned points.

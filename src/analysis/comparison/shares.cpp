@@ -103,16 +103,6 @@ void add_runs(Share& share, const CellResult& result) {
   }
 }
 
-Value sum_of(const std::vector<Value>& values) {
-  double sum = 0;
-  bool whole = true;
-  for (const Value& value : values) {
-    sum += number_in(value).value_or(0);
-    whole = whole && !std::holds_alternative<double>(value);
-  }
-  return whole ? Value(static_cast<std::int64_t>(sum)) : Value(sum);
-}
-
 std::string variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems) {
   Eigen::Index least = campaign.problems()[problems.front()].dimension();
   Eigen::Index most = least;

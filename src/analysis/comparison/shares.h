@@ -32,9 +32,6 @@ Table ceiling_table(const Comparison& comparison, const Group& group);
 /// Adds the runs of a result, and those that solved the problem.
 void add_runs(Share& share, const CellResult& result);
 
-/// For aggregated(): 0 of none, whole of whole numbers.
-Value sum_of(const std::vector<Value>& values);
-
 /// "1 variable", "2 to 8 variables": of these problems.
 std::string variables_of(const Campaign& campaign, const std::vector<std::size_t>& problems);
 

@@ -86,23 +86,6 @@ PairSums pair_of(const std::vector<double>& a, const std::vector<double>& b, std
 
 }  // namespace
 
-std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  check(a, b);
-  const std::vector<double> ranks_a = ranks_of(a);
-  const std::vector<double> ranks_b = ranks_of(b);
-  const double mean = (static_cast<double>(a.size()) + 1) / 2;
-  double products = 0;
-  double squares_a = 0;
-  double squares_b = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    products += (ranks_a[i] - mean) * (ranks_b[i] - mean);
-    squares_a += (ranks_a[i] - mean) * (ranks_a[i] - mean);
-    squares_b += (ranks_b[i] - mean) * (ranks_b[i] - mean);
-  }
-  if (squares_a == 0 || squares_b == 0) return std::nullopt;
-  return products / std::sqrt(squares_a * squares_b);
-}
-
 std::optional<double> kendall_rank_correlation(const std::vector<double>& a,
                                                const std::vector<double>& b) {
   check(a, b);

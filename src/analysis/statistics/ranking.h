@@ -28,14 +28,10 @@ Ranking ranking_of(const std::vector<std::optional<Reached>>& reached);
 /// Infinite values are allowed. Throws std::invalid_argument for a value that is no number.
 std::vector<double> ranks_of(const std::vector<double>& sample);
 
-/// Spearman's rank correlation of two samples of the same length >= 2, in [-1, 1]: Pearson's
-/// correlation of their ranks, where equal values share their mean rank. Nothing if a sample is
-/// constant. Throws std::invalid_argument for samples that do not fit.
-std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
-
 /// Kendall's tau-b of the samples: the number of concordant less discordant pairs over the
 /// geometric mean of the numbers of pairs that are not tied in the first and in the second sample
-/// (Kendall 1945, doi:10.1093/biomet/33.3.239).
+/// (Kendall 1945, doi:10.1093/biomet/33.3.239). Nothing if a sample is constant. Throws
+/// std::invalid_argument unless both have one length >= 2.
 std::optional<double> kendall_rank_correlation(const std::vector<double>& a,
                                                const std::vector<double>& b);
 

@@ -5,12 +5,10 @@
 namespace ricochet {
 namespace {
 
-TEST(Mesh, GetsFinerMuchFasterThanThePollGetsSmaller) {
+TEST(Mesh, GetsFinerByAFactorOfFour) {
   Mesh mesh;
-  EXPECT_EQ(mesh.poll_size(), 1.0 / 4);
   EXPECT_EQ(mesh.spacing(), 1.0 / 16);
   mesh.refine();
-  EXPECT_EQ(mesh.poll_size(), 1.0 / 8);
   EXPECT_EQ(mesh.spacing(), 1.0 / 64);
 }
 
@@ -20,7 +18,7 @@ TEST(Mesh, GetsCoarserAgainUpToHalfTheBox) {
   mesh.coarsen();
   EXPECT_EQ(mesh.index(), Mesh().index());
   for (int i = 0; i < 5; ++i) mesh.coarsen();
-  EXPECT_EQ(mesh.poll_size(), 1.0 / 2);
+  EXPECT_EQ(mesh.spacing(), 1.0 / 4);
 }
 
 }  // namespace

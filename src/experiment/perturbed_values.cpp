@@ -47,8 +47,7 @@ Perturbation told_perturbation(const std::string& name, const std::string& summa
 Perturbation noisy() {
   return told_perturbation(
       "noisy",
-      "every number v told is v + 1e-3 max(1, |v|) times a normal one, drawn anew "
-      "at every call",
+      "every number v told is v + 1e-3 max(1, |v|) times a normal one, another at every call",
       add_noise, Drawn::by_call);
 }
 
@@ -111,7 +110,7 @@ void compute_for_a_while() {
 }  // namespace
 
 Perturbation not_a_number() {
-  return {"nan", "every function told is NaN with probability 0.05, drawn anew at every call",
+  return {"nan", "every function told is NaN with probability 0.05, independently at every call",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {
             return told_by(lose, Drawn::by_call, key_of(seed, "nan"), shown);

@@ -1,6 +1,6 @@
 // The border of the WebAssembly module: plain functions over one machine. Numbers come in by
 // `room`, and go out by `results`; texts go out by `text`. A C++ exception ends the instance, see
-// module/platform/exceptions.cpp: whoever calls makes a new one.
+// module/platform/exceptions.cpp: the caller makes a new one.
 #include "ricochet/machine.h"
 
 #include <cmath>

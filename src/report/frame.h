@@ -53,7 +53,7 @@ std::string number_label(double number);
 /// An entry of the legend.
 struct LegendEntry {
   enum class Of { area, series, line, cells_without_value } of;
-  std::vector<std::size_t> numbers;  ///< one, but of series that cannot be told apart all
+  std::vector<std::size_t> numbers;  ///< one, but of series that look alike all
   std::vector<std::string> lines;    ///< of the text
   Pixel place = {};                  ///< of the sample's left end, on the first line's base line
 };

@@ -113,7 +113,7 @@ class Machine {
     return {quiet, limit, threshold, loud, misclassified};
   }
 
-  // The fastest speed up to `fastest` [rad/s] with a quiet count, whoever finds it; NaN if there is none.
+  // The fastest speed up to `fastest` [rad/s] with a quiet count; NaN if there is none.
   raceGoal(limit, fastest) { return this.call("race_goal", limit, fastest).value; }
 
   // The evaluations of a solver that looks for the fastest quiet speed, by its place in Machine.racers.

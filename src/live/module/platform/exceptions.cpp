@@ -1,5 +1,5 @@
 // WebAssembly has no exceptions here: what is thrown ends the instance, and its message stays as
-// the text of the border, for whoever called.
+// the text of the border, for the caller.
 #include <cstdlib>
 #include <exception>
 #include <new>

@@ -177,7 +177,6 @@ void add_steps(const std::vector<CaseStudy>& cases, Results& results) {
                {"paper_quiet_count", "paper's quiet count"},
                {"quiet_count", "quiet count"},
                {"purity", "purity [%]", ".0%"},
-               {"misclassified", "on the wrong side [%]", ".1%"},
                {"before"},
                {"after"},
                {"relative_width", "width [% of the speed]", ".1%"},
@@ -190,8 +189,7 @@ void add_steps(const std::vector<CaseStudy>& cases, Results& results) {
     claimed += claim.has_value();
     same += claim == c.score.quiet_count;
     table.add(c.the_case.id, c.the_case.restitution, claim, c.score.quiet_count, c.score.purity,
-              c.score.misclassified, value_of(found, &StepSharpness::before),
-              value_of(found, &StepSharpness::after),
+              value_of(found, &StepSharpness::before), value_of(found, &StepSharpness::after),
               value_of(found, [](const auto& it) { return it.width / it.threshold; }),
               found ? name_of(found->rise) : "no threshold",
               value_of(found, [&](const auto& it) { return is_steady(c, it.rise); }));

@@ -192,8 +192,10 @@ void add_conclusions(const Table& grid, report::Results& results) {
       strongest = std::max(strongest, line.number("ratio"));
     });
     table.add(it.name, it.claim, agree, disagree, weakest, strongest);
-    text += fmt::format("{}({}) fails between {} of {} neighbours that differ",
-                        text.empty() ? "" : ", ", it.name, disagree, agree + disagree);
+    text += text.empty() ? "" : "; ";
+    text += disagree == 0
+                ? fmt::format("({}) holds between all {} neighbours that differ", it.name, agree)
+                : fmt::format("({}) fails between {} of {}", it.name, disagree, agree + disagree);
   }
   results.set("conclusions", text + ".");
   results.add(std::move(table));

@@ -32,8 +32,7 @@ std::optional<std::size_t> last_quiet(const std::vector<double>& values, double 
   return std::nullopt;
 }
 
-/// How far the surrogate's top speeds are off at one smoothing parameter: "0.25 rad/s in the median
-/// of 12 cases, by 4.31 at worst, and truly loud in 10".
+/// How far the surrogate's top speeds are off at one smoothing parameter.
 struct SpeedError {
   double median, worst;  ///< [rad/s]; of a surrogate that is never quiet, the whole range
   std::size_t loud;      ///< cases

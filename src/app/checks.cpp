@@ -205,7 +205,7 @@ int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {
 
 int install_tools(const ImpactTestOptions& options, const StudyOptions& study) {
   fs::create_directories(drivers_of(study));
-  install(chosen_tools(options), drivers_of(study));
+  install(chosen_tools(options));
   return list_tools(options, study);
 }
 

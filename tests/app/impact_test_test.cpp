@@ -56,12 +56,12 @@ TEST(ImpactTest, ComparesAToolOfOnesOwn) {
 }
 
 TEST(ImpactTest, ListsItsTools) {
-  const auto tools = ordered_json::parse(
-      call("impact-test --list-tools --format json --tools odeint-dopri5 --out " +
-           fresh_folder().string())
-          .out);
+  const auto tools =
+      ordered_json::parse(call("impact-test --list-tools --format json --tools scipy-rk45 --out " +
+                               fresh_folder().string())
+                              .out);
   ASSERT_EQ(tools.size(), 1U);
-  EXPECT_EQ(tools[0]["tool"], "odeint-dopri5");
+  EXPECT_EQ(tools[0]["tool"], "scipy-rk45");
 }
 
 TEST(ImpactTest, RefusesWhatItDoesNotKnow) {

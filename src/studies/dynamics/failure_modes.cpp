@@ -86,7 +86,7 @@ Sample impacts_of(const Integrator& integrator, const Scene& scene, double contr
 
 double control_of(const Integrator& integrator, Strictness strictness, double once) {
   const bool tight = strictness == Strictness::tight;
-  if (integrator.control == "step [s]") return once / (tight ? 1000 : 30);
+  if (integrator.setting == "step [s]") return once / (tight ? 1000 : 30);
   return tight ? 1e-10 : 1e-4;
 }
 

@@ -32,7 +32,7 @@ bool is_bad(Behaviour behaviour) {
 }
 
 Outcome reference_of(const Scene& scene) {
-  const Outcome outcome = penalty_integrators().front().run(scene, 0);
+  const Outcome outcome = through_walls().front().run(scene, 0);
   if (!outcome.finished) throw std::runtime_error("the reference failed: " + outcome.failure);
   return outcome;
 }
@@ -104,8 +104,8 @@ double peak_frequency(const Scene& scene, double speed) {
 
 StabilityMap map_of(const Integrator& integrator, const StabilityPlan& plan) {
   StabilityMap map{integrator.name,
-                   integrator.control,
-                   integrator.control == "step [s]" ? plan.steps : plan.tolerances,
+                   integrator.setting,
+                   integrator.setting == "step [s]" ? plan.steps : plan.tolerances,
                    {}};
   for (const double stiffness : plan.stiffnesses) {
     const Scene scene = stiff_gap(stiffness);
@@ -166,12 +166,12 @@ StabilityStudy study_stability(const StabilityPlan& plan) {
     }
     study.frequencies.push_back(peak_frequency(scene, fastest));
   }
-  const std::vector<Integrator> integrators = penalty_integrators();
+  const std::vector<Integrator> integrators = through_walls();
   Progress progress("stiff walls", static_cast<double>(integrators.size()));
   // The first is the reference.
   for (std::size_t i = 1; i < integrators.size(); ++i) {
     study.maps.push_back(map_of(integrators[i], plan));
-    if (integrators[i].control == "relative tolerance") {
+    if (integrators[i].setting == "relative tolerance") {
       study.rests.push_back(rest_cost(integrators[i], plan.stiffnesses));
     }
     progress.advance(1);
@@ -180,7 +180,7 @@ StabilityStudy study_stability(const StabilityPlan& plan) {
   Scene scene = stiff_gap(1);
   scene.fidelity = Fidelity::impact;
   const Outcome reference = reference_of(scene);
-  study.hard = {moreau_jean.name, moreau_jean.control, plan.steps, {{}}};
+  study.hard = {moreau_jean.name, moreau_jean.setting, plan.steps, {{}}};
   for (const double step : plan.steps) {
     study.hard.cells[0].push_back(cell_of(moreau_jean, scene, step, reference));
   }

@@ -65,7 +65,7 @@ std::vector<SceneWork> works_in(const std::vector<BenchmarkScene>& scenes, const
 Table methods_table(const std::vector<Integrator>& integrators) {
   Table table{"methods", {{"method"}, {"version"}, {"control", "tolerance or step"}}};
   for (const Integrator& integrator : integrators)
-    table.add(integrator.name, integrator.version, integrator.control);
+    table.add(integrator.name, integrator.version, integrator.setting);
   for (const std::string& missing : carrier_track::missing_integrators())
     table.add(missing, "missing: built without SUNDIALS", std::nullopt);
   return table;
@@ -74,13 +74,12 @@ Table methods_table(const std::vector<Integrator>& integrators) {
 }  // namespace
 
 report::Results results_of(const StudyPlan& plan) {
-  const std::vector<Integrator> integrators = carrier_track::all_integrators();
+  const std::vector<Integrator> integrators = between_hard_walls();
   report::Results results;
   add_to(results, study_laws(plan.measured_stride));
   std::vector<SceneWork> works =
       works_in(benchmark_scenes(plan.chaotic_seconds), plan.work, integrators);
-  for (SceneWork& work :
-       works_in(stiff_benchmark_scenes(), plan.work, carrier_track::penalty_integrators()))
+  for (SceneWork& work : works_in(stiff_benchmark_scenes(), plan.work, through_walls()))
     works.push_back(std::move(work));
   add_to(results, works);
   add_to(results, study_failure_modes(plan.failure_modes, integrators));

@@ -52,7 +52,7 @@ TimedSimulation level_simulation(const std::string& name, const std::string& con
 }
 
 TimedSimulation method_simulation(const Integrator& integrator, double control) {
-  const bool fixed = integrator.control == "step [s]";
+  const bool fixed = integrator.setting == "step [s]";
   return {integrator.name, fixed ? "fixed steps" : "variable steps",
           fmt::format("{} {}", fixed ? "step" : "tolerance", power_of_ten(control)),
           [integrator, control](const Scene& scene, double omega) -> std::optional<int> {
@@ -76,8 +76,8 @@ std::vector<TimedSimulation> simulations_of(const ThresholdPlan& plan,
                                    }));
   }
   for (const Integrator& integrator : integrators) {
-    if (integrator.control == "none") continue;  // the event-driven one
-    const bool fixed = integrator.control == "step [s]";
+    if (integrator.setting == "none") continue;  // the event-driven one
+    const bool fixed = integrator.setting == "step [s]";
     for (const double control : fixed ? plan.steps : plan.tolerances) {
       all.push_back(method_simulation(integrator, control));
     }

@@ -85,12 +85,12 @@ void measure_spread(const Integrator& reference, SceneWork& work) {
 MethodWork work_of(const Integrator& integrator, const SceneWork& scene_work,
                    const Outcome& reference, const WorkPlan& plan) {
   const Scene& scene = scene_work.benchmark.scene;
-  MethodWork work{integrator.name, integrator.control, {}};
+  MethodWork work{integrator.name, integrator.setting, {}};
   std::vector<double> values = {1.0};
-  if (integrator.control == "step [s]") {
+  if (integrator.setting == "step [s]") {
     const double pause = duration_of(scene) / scene_work.impacts;  // [s] between two impacts
     values = controls(0.1 * pause, pause / plan.steps, plan.per_decade);
-  } else if (integrator.control != "none") {
+  } else if (integrator.setting != "none") {
     values = controls(1e-3, plan.tolerance, plan.per_decade);
   }
   for (const double control : values) {
@@ -106,6 +106,18 @@ MethodWork work_of(const Integrator& integrator, const SceneWork& scene_work,
 }
 
 }  // namespace
+
+std::vector<Integrator> between_hard_walls() {
+  std::vector<Integrator> chosen = carrier_track::all_integrators();
+  std::erase_if(chosen, [](const Integrator& i) { return i.setting == carrier_track::by_depth; });
+  return chosen;
+}
+
+std::vector<Integrator> through_walls() {
+  std::vector<Integrator> chosen = carrier_track::all_integrators();
+  std::erase_if(chosen, [](const Integrator& i) { return !i.takes_compliant; });
+  return chosen;
+}
 
 SceneWork work_in(const BenchmarkScene& benchmark, const WorkPlan& plan,
                   const std::vector<Integrator>& integrators, const std::function<void()>& done) {

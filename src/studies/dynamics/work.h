@@ -31,7 +31,11 @@ carrier_track::Scene benchmark_scene(const std::string& id, double seconds);
 /// every impact's own speed; about seven impacts.
 carrier_track::Scene stiff_gap(double stiffness);
 
-/// The mild scene on compliant walls, stiff and very stiff, for penalty_integrators.
+/// The integrators of hard walls, and those that go through the contacts of compliant walls.
+std::vector<carrier_track::Integrator> between_hard_walls();
+std::vector<carrier_track::Integrator> through_walls();
+
+/// The mild scene on compliant walls, stiff and very stiff, for through_walls().
 std::vector<BenchmarkScene> stiff_benchmark_scenes();
 
 /// One run of a method.

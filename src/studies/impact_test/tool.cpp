@@ -54,7 +54,6 @@ void visit_fields(const Visit& visit, T&... t) {
   visit(required("title"), t.title...);
   visit(required("kind"), t.kind...);
   visit(Field{"packages"}, t.packages...);
-  visit(Field{"pip"}, t.pip...);
   visit(required("source"), File{t.source}...);
   visit(Field{"compile"}, t.compile...);
   visit(required("run"), t.run...);
@@ -142,11 +141,11 @@ std::string hash_of(const Tool& tool) {
 
 /// What stands for the paths of a tool in its commands.
 struct Places {
-  std::string here, source, out, python;
+  std::string here, source, out;
 
   std::string filled(std::string text) const {
-    for (const auto& [name, value] : {std::pair{"$HERE", &here}, std::pair{"$SOURCE", &source},
-                                      std::pair{"$OUT", &out}, std::pair{"$PYTHON", &python}}) {
+    for (const auto& [name, value] :
+         {std::pair{"$HERE", &here}, std::pair{"$SOURCE", &source}, std::pair{"$OUT", &out}}) {
       replace_all(text, name, *value);
     }
     return text;
@@ -157,15 +156,9 @@ struct Places {
   }
 };
 
-fs::path environment_in(const fs::path& folder) {
-  return folder / "python";
-}
-
 Places places_of(const Tool& tool, const fs::path& folder) {
-  const fs::path python = environment_in(folder) / "bin" / "python3";
   Places places{fs::absolute(tool.source.parent_path()).string(),
-                fs::absolute(tool.source).string(), "",
-                fs::exists(python) ? fs::absolute(python).string() : "python3"};
+                fs::absolute(tool.source).string(), ""};
   if (!tool.compile.empty()) {
     places.out =
         fs::absolute(folder / (tool.source.stem().string() + "-" + hash_of(tool))).string();
@@ -241,30 +234,20 @@ FoundTool found_tool(const Tool& tool, const fs::path& folder) {
   return {ToolProgram{tool, places.filled(tool.run), told.output}, ""};
 }
 
-void install(const std::vector<Tool>& tools, const fs::path& folder) {
-  std::set<std::string> packages, pip;
+void install(const std::vector<Tool>& tools) {
+  std::set<std::string> packages;
   for (const Tool& tool : tools) {
     for (const std::string& package : tool.packages) {
       if (!is_installed(package)) packages.insert(package);
     }
-    pip.insert(tool.pip.begin(), tool.pip.end());
   }
-  if (!pip.empty() && !is_installed("python3-venv")) packages.insert("python3-venv");
+  if (packages.empty()) return;
   const std::string become = geteuid() == 0 ? "" : "sudo ";
-  if (!packages.empty()) {
-    carry_out(become + "apt-get update -qq");
-    carry_out(
-        fmt::format("{}env DEBIAN_FRONTEND=noninteractive apt-get install -y "
-                    "--no-install-recommends {}",
-                    become, fmt::join(packages, " ")));
-  }
-  if (pip.empty()) return;
-  const fs::path environment = environment_in(folder);
-  if (!fs::exists(environment)) {
-    carry_out(fmt::format("python3 -m venv --system-site-packages '{}'", environment.string()));
-  }
-  carry_out(fmt::format("'{}' install --quiet {}", (environment / "bin" / "pip").string(),
-                        fmt::join(pip, " ")));
+  carry_out(become + "apt-get update -qq");
+  carry_out(
+      fmt::format("{}env DEBIAN_FRONTEND=noninteractive apt-get install -y "
+                  "--no-install-recommends {}",
+                  become, fmt::join(packages, " ")));
 }
 
 namespace {
@@ -314,7 +297,9 @@ Answer ToolSession::answered(const TestScene& scene) {
   const std::chrono::seconds limit = has_answered_ ? limits_.scene : limits_.start;
   const outside::Patience patience{limit, "it was sent a scene", limit};
   try {
-    process_->send(report::Json(scene).dump() + "\n");
+    report::Json sent = scene;
+    sent["scales"] = scales_of(scene);
+    process_->send(sent.dump() + "\n");
     const auto line = process_->line(patience);
     if (line) return answer_in(*line, scene.scene);
   } catch (const std::runtime_error&) {  // it has read or written nothing for too long

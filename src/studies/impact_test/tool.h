@@ -26,7 +26,6 @@ struct Tool {
   std::string title;
   std::string kind;                   ///< of method: "event location", "time stepping", ...
   std::vector<std::string> packages;  ///< of Debian
-  std::vector<std::string> pip;       ///< of Python, where Debian has none
   std::filesystem::path source;       ///< the driver
   std::string compile;                ///< by a shell; empty for a script
   std::vector<std::string> run;       ///< program and arguments; the level is added
@@ -61,10 +60,9 @@ struct FoundTool {
 /// are kept in `folder`, under a name with a hash of what they are made of. Installs nothing.
 FoundTool found_tool(const Tool& tool, const std::filesystem::path& folder);
 
-/// Installs the packages of the tools that are missing: those of Debian by apt-get, as root or
-/// through sudo; those of Python into an environment of its own in `folder`. Says what it does.
-/// Throws std::runtime_error where one fails.
-void install(const std::vector<Tool>& tools, const std::filesystem::path& folder);
+/// Installs the packages of the tools that are missing by apt-get, as root or through sudo. Says
+/// what it does. Throws std::runtime_error where it fails.
+void install(const std::vector<Tool>& tools);
 
 /// A tool that cannot be used at all. The message says why.
 class ToolFailure : public std::runtime_error {

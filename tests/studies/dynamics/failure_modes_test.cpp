@@ -109,8 +109,8 @@ TEST(FailureModes, OnlyEventDrivenMotionNoticesAnyExcessOverFriction) {
     ASSERT_TRUE(sticking.noticed.has_value()) << integrator.name;
     // q beyond friction lasts for sqrt(2 q) / pi of a period: 64 samples a period find 1e-2 for
     // certain, 1000 find 1e-5.
-    const double least = integrator.control == "none"       ? 1e-8
-                         : integrator.control == "step [s]" ? 1e-5
+    const double least = integrator.setting == "none"       ? 1e-8
+                         : integrator.setting == "step [s]" ? 1e-5
                                                             : 1e-2;
     EXPECT_NEAR(*sticking.noticed, least, 1e-3 * least) << integrator.name;
   }
@@ -143,7 +143,7 @@ TEST(FailureModes, ChaosSparesTheRateOfImpacts) {
     EXPECT_TRUE(rate.finished) << integrator.name;
     EXPECT_LT(rate.uncertainty, 0.02);
     // Thirty steps an impact bias it by a little, too.
-    const double bias = integrator.control == "step [s]" ? 0.02 : 0;
+    const double bias = integrator.setting == "step [s]" ? 0.02 : 0;
     EXPECT_LT(std::abs(rate.error), rate.uncertainty + bias) << integrator.name;
   }
 }

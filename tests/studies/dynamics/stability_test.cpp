@@ -15,7 +15,7 @@ namespace {
 using namespace carrier_track;
 
 Integrator penalty(const std::string& name) {
-  for (const Integrator& integrator : penalty_integrators()) {
+  for (const Integrator& integrator : through_walls()) {
     if (integrator.name == name) return integrator;
   }
   throw std::invalid_argument("no penalty method " + name);
@@ -73,8 +73,8 @@ TEST(Stability, OfFixedStepsIsGoneAtTwiceTheBoundAndThereAtATenthWhateverTheStif
 
 TEST(Stability, OfAdaptiveMethodsIsRightAtTightTolerances) {
   const StabilityPlan plan{{1e8, 1e16}, {}, {1e-6, 1e-9}};
-  for (const Integrator& integrator : penalty_integrators()) {
-    if (integrator.control != "relative tolerance") continue;
+  for (const Integrator& integrator : through_walls()) {
+    if (integrator.setting != "relative tolerance") continue;
     for (const auto& row : map_of(integrator, plan).cells) {
       for (const StabilityCell& cell : row) {
         EXPECT_EQ(cell.behaviour, Behaviour::right_count) << integrator.name;

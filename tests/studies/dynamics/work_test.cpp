@@ -83,7 +83,7 @@ struct Collector : carrier_track::Observer {
 
 TEST(Work, InStiffScenesHasAReferenceThatItsOwnToleranceAndAnotherMethodConfirm) {
   for (const BenchmarkScene& benchmark : stiff_benchmark_scenes()) {
-    const auto integrators = carrier_track::penalty_integrators();
+    const auto integrators = through_walls();
     const carrier_track::Outcome reference = integrators.front().run(benchmark.scene, 0);
     ASSERT_GE(reference.impacts.size(), 8U);
     Collector looser;
@@ -99,7 +99,7 @@ TEST(Work, InStiffScenesHasAReferenceThatItsOwnToleranceAndAnotherMethodConfirm)
 
 TEST(Work, OfFixedStepsIsLostOnVeryStiffWallsUntilTheStepIsShort) {
   const BenchmarkScene benchmark = stiff_benchmark_scenes().back();
-  const SceneWork work = work_in(benchmark, {1, 1e-6, 1e3}, carrier_track::penalty_integrators());
+  const SceneWork work = work_in(benchmark, {1, 1e-6, 1e3}, through_walls());
   for (const MethodWork& method : work.methods) {
     for (const Trial& trial : method.trials) {
       EXPECT_EQ(trial.finished, method.control != "step [s]") << method.method;

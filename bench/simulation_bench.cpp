@@ -141,10 +141,10 @@ void add_integrator_benchmarks() {
   for (const auto& [scene_name, scene] : scenes) {
     for (const Integrator& integrator : all_integrators()) {
       const std::string name = "integrate/" + scene_name + "/" + integrator.name;
-      if (integrator.control == "none") {
+      if (integrator.setting == "none") {
         benchmark::RegisterBenchmark(name.c_str(), integration, integrator, scene, 0.0);
       }
-      if (integrator.control != "relative tolerance") continue;
+      if (integrator.setting != "relative tolerance") continue;
       for (const auto& [tolerance_name, tolerance] : {std::pair{"1e-6", 1e-6}, {"1e-12", 1e-12}}) {
         benchmark::RegisterBenchmark((name + "/" + tolerance_name).c_str(), integration, integrator,
                                      scene, tolerance);

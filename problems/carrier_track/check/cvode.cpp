@@ -1,5 +1,6 @@
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
 #include <sundials/sundials_version.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
@@ -7,131 +8,128 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
-#include "problems/carrier_track/check/integrator.h"
-#include "problems/carrier_track/check/penalty.h"
+#include "problems/carrier_track/check/walls.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// Owns a C object that is freed through a pointer to its handle, or by its handle.
-template <class Handle, auto free>
-class Owned {
- public:
-  Owned() = default;
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  ~Owned() {
-    if (handle_) release(handle_);
-  }
-  Owned& operator=(Handle handle) {
-    handle_ = handle;
-    return *this;
-  }
-  operator Handle() const { return handle_; }
-  Handle* address() { return &handle_; }
-
- private:
-  static void release(Handle& handle) {
-    if constexpr (std::is_invocable_v<decltype(free), Handle*>) {
-      free(&handle);
-    } else {
-      free(handle);
-    }
-  }
-  Handle handle_ = nullptr;
-};
-
-/// Throws std::runtime_error with `what` unless `done`.
-void require_cvode(bool done, const char* what);
-
-/// Throws std::runtime_error with the name of a negative return flag.
-void require_cvode_flag(int flag);
-
-/// CVODE's integrator of a position and a velocity, with one relative and one absolute tolerance
-/// for both. Its nonlinear solver must still be set. Throws std::runtime_error if CVODE fails.
-class CvodeMemory {
- public:
-  /// `method` is CV_ADAMS or CV_BDF; `user` is passed to `slope`.
-  CvodeMemory(int method, CVRhsFn slope, void* user, double tolerance, double absolute);
-
-  std::array<double, 2>& state() { return state_; }
-  SUNContext context() const { return context_; }
-  N_Vector vector() const { return vector_; }
-  void* get() const { return memory_; }
-
- private:
-  static void free_memory(void** memory) { CVodeFree(memory); }
-
-  std::array<double, 2> state_{};
-  // NOTE: freed from the last to the first; the context must outlive the others.
-  Owned<SUNContext, SUNContext_Free> context_;
-  Owned<N_Vector, N_VDestroy> vector_;
-  Owned<void*, free_memory> memory_;
-};
-
 namespace {
 
-/// Walls and velocity zeros are CVODE's own root functions. It looks for sign changes over its
-/// steps and misses an event that starts and ends within one. Velocity zeros are roots without
-/// friction too, where they change nothing: with the walls alone, impacts that go beyond a wall and
-/// back in one step are lost.
-class CvodeFlight : public FlightMethod {
+/// Throws std::runtime_error with the name of a negative return flag.
+void require(int flag) {
+  if (flag >= 0) return;
+  const std::unique_ptr<char, decltype(&std::free)> name(CVodeGetReturnFlagName(flag), std::free);
+  throw std::runtime_error(std::string("CVODE: ") + name.get());
+}
+
+/// A C object that is freed by its handle. Throws std::runtime_error if there is none.
+template <class Object, auto free>
+struct Owned {
+  struct Free {
+    void operator()(Object* object) const { free(object); }
+  };
+  Owned() = default;
+  explicit Owned(Object* object) : owner(object) {
+    if (!owner) throw std::runtime_error("CVODE: no memory");
+  }
+  operator Object*() const { return owner.get(); }
+
+  std::unique_ptr<Object, Free> owner;
+};
+
+void free_cvode(void* memory) {
+  CVodeFree(&memory);
+}
+
+/// CVODE's integrator of a position and a velocity. Walls and velocity zeros are its own root
+/// functions. It looks for sign changes over its steps and misses an event that starts and ends
+/// within one. Velocity zeros are roots without friction too, where they change nothing: with the
+/// walls alone, impacts that go beyond a wall and back in one step are lost.
+class Cvode : public Method {
  public:
-  CvodeFlight(const FlightSetting& setting, double tolerance, int method)
-      : setting_(setting), memory_(method, slope, this, tolerance, tolerance * setting.length) {
-    require_cvode_flag(CVodeSetMaxNumSteps(memory_.get(), most_steps));
-    // NOTE: the forces do not depend on the state, so a fixed-point iteration converges at once and
-    // saves the linear algebra of Newton's method, for BDF too.
-    solver_ = SUNNonlinSol_FixedPoint(memory_.vector(), 0, memory_.context());
-    require_cvode(solver_ != nullptr, "no memory for the iteration");
-    require_cvode_flag(CVodeSetNonlinearSolver(memory_.get(), solver_));
-    require_cvode_flag(CVodeRootInit(memory_.get(), 3, walls_and_turn));
-    std::array<int, 3> inwards = {-1, -1, 0};
-    require_cvode_flag(CVodeSetRootDirection(memory_.get(), inwards.data()));
-    require_cvode_flag(CVodeSetNoInactiveRootWarn(memory_.get()));
+  /// `method` is CV_ADAMS or CV_BDF.
+  Cvode(System& system, double tolerance, int method)
+      : Method(system), cvode_(CVodeCreate(method, context_)) {
+    require(CVodeSetErrHandlerFn(
+        cvode_, [](int, const char*, const char*, char*, void*) {}, nullptr));
+    require(CVodeInit(cvode_, slope, 0.0, vector_));
+    require(CVodeSetUserData(cvode_, this));
+    require(CVodeSStolerances(cvode_, tolerance, tolerance * system.length));
+    if (system.wall) {
+      require(CVodeSetMaxStep(cvode_, system.longest_step()));
+      require(CVodeSetStopTime(cvode_, system.window));
+    } else {
+      require(CVodeSetMaxNumSteps(cvode_, most_steps));
+      require(CVodeRootInit(cvode_, 3, walls_and_turn));
+      std::array<int, 3> inwards = {-1, -1, 0};
+      require(CVodeSetRootDirection(cvode_, inwards.data()));
+      require(CVodeSetNoInactiveRootWarn(cvode_));
+    }
+    // NOTE: in a flight the forces do not depend on the state, so a fixed-point iteration converges
+    // at once and saves the linear algebra of Newton's method, for BDF too.
+    if (system.wall && method == CV_BDF) {
+      matrix_ = Owned<_generic_SUNMatrix, SUNMatDestroy>(SUNDenseMatrix(2, 2, context_));
+      linear_ = Owned<_generic_SUNLinearSolver, SUNLinSolFree>(
+          SUNLinSol_Dense(vector_, matrix_, context_));
+      require(CVodeSetLinearSolver(cvode_, linear_, matrix_));
+      require(CVodeSetJacFn(cvode_, jacobian));
+    } else {
+      iteration_ = Owned<_generic_SUNNonlinearSolver, SUNNonlinSolFree>(
+          SUNNonlinSol_FixedPoint(vector_, 0, context_));
+      require(CVodeSetNonlinearSolver(cvode_, iteration_));
+    }
   }
 
-  Landing fly(const Leg& leg) override { return fly(leg, 0); }
+  void start(const State& state) override {
+    state_ = {state.position, state.velocity};
+    time_ = 0;
+    require(CVodeReInit(cvode_, 0.0, vector_));
+  }
 
-  std::int64_t evaluations() const override { return evaluations_; }
+  double step() override {
+    require(CVode(cvode_, system_.window, vector_, &time_, CV_ONE_STEP));
+    return time_;
+  }
+
+  State at(double /*time*/) override { return {state_[0], state_[1]}; }
+
+  Landing fly(const Leg& leg) override {
+    system_.start = leg.start;
+    system_.direction = leg.direction;
+    return fly(leg, 0);
+  }
 
  private:
   /// The first step has that length [s]; if it is 0, CVODE chooses it.
   Landing fly(const Leg& leg, double first_step) {
-    start_ = leg.start;
-    friction_ = leg.direction * setting_.forces.friction;
-    memory_.state() = {leg.state.position, leg.state.velocity};
-    require_cvode_flag(CVodeReInit(memory_.get(), 0.0, memory_.vector()));
-    require_cvode_flag(CVodeSetInitStep(memory_.get(), first_step));
-    double time = 0;
+    start(leg.state);
+    require(CVodeSetInitStep(cvode_, first_step));
     for (;;) {
-      const int flag = CVode(memory_.get(), leg.longest, memory_.vector(), &time, CV_NORMAL);
+      const int flag = CVode(cvode_, leg.longest, vector_, &time_, CV_NORMAL);
       if (flag == CV_TOO_CLOSE) {  // the rest of the window is below rounding
         const double position = leg.state.position + leg.longest * leg.state.velocity;
         return {Finish::limit, leg.longest, {position, leg.state.velocity}};
       }
-      require_cvode_flag(flag);
+      require(flag);
       // NOTE: CVODE's own limit is per call, and every velocity zero returns.
       long steps = 0;
-      require_cvode_flag(CVodeGetNumSteps(memory_.get(), &steps));
-      require_cvode(steps_ + steps <= most_steps, "more than 1000000 steps");
+      require(CVodeGetNumSteps(cvode_, &steps));
+      if (steps_ + steps > most_steps) throw std::runtime_error("more than 1000000 steps");
       std::array<int, 3> found{};
-      if (flag == CV_ROOT_RETURN) require_cvode_flag(CVodeGetRootInfo(memory_.get(), found.data()));
+      if (flag == CV_ROOT_RETURN) require(CVodeGetRootInfo(cvode_, found.data()));
       const bool wall = found[0] != 0 || found[1] != 0;
-      const bool turn = found[2] != 0 && setting_.forces.friction > 0;
+      const bool turn = found[2] != 0 && system_.friction > 0;
       if (flag == CV_ROOT_RETURN && !wall && !turn) continue;
       steps_ += steps;
-      if (turn && !wall && steps == 1 && pushes_on(leg, time)) return fly(leg, next_first_step());
+      if (turn && !wall && steps == 1 && pushes_on(leg)) return fly(leg, shorter_first_step());
       const Finish finish = found[0] != 0   ? Finish::lower_wall
                             : found[1] != 0 ? Finish::upper_wall
                             : turn          ? Finish::turn
                                             : Finish::limit;
-      return {finish,
-              finish == Finish::limit ? leg.longest : time,
-              {memory_.state()[0], memory_.state()[1]}};
+      return {finish, finish == Finish::limit ? leg.longest : time_, at(time_)};
     }
   }
 
@@ -141,143 +139,35 @@ class CvodeFlight : public FlightMethod {
   // NOTE: the first step is of first order. If the excess over friction ends within it, it ends at
   // a negative velocity. Its linear interpolation puts the velocity zero at the very start, from
   // where the body would start again, forever. A step that ends before the excess does is correct.
-  bool pushes_on(const Leg& leg, double time) const {
-    return leg.direction * (setting_.forces.applied(leg.start + time) - friction_) > 0;
+  bool pushes_on(const Leg& leg) const {
+    return leg.direction * system_.acceleration(time_, leg.state) > 0;
   }
 
-  double next_first_step() const {
+  double shorter_first_step() const {
     double step = 0;
-    require_cvode_flag(CVodeGetActualInitStep(memory_.get(), &step));
+    require(CVodeGetActualInitStep(cvode_, &step));
     return 0.1 * step;
   }
 
+  static State state_in(N_Vector state) { return {NV_Ith_S(state, 0), NV_Ith_S(state, 1)}; }
+
   static int slope(double time, N_Vector state, N_Vector rate, void* data) {
-    auto& self = *static_cast<CvodeFlight*>(data);
-    ++self.evaluations_;
     NV_Ith_S(rate, 0) = NV_Ith_S(state, 1);
-    NV_Ith_S(rate, 1) = self.setting_.forces.applied(self.start_ + time) - self.friction_;
+    NV_Ith_S(rate, 1) = static_cast<Cvode*>(data)->system_.acceleration(time, state_in(state));
     return 0;
   }
 
   static int walls_and_turn(double /*time*/, N_Vector state, double* value, void* data) {
-    const auto& self = *static_cast<CvodeFlight*>(data);
-    value[0] = NV_Ith_S(state, 0) - self.setting_.gap.lower;
-    value[1] = self.setting_.gap.upper - NV_Ith_S(state, 0);
+    const System& system = static_cast<Cvode*>(data)->system_;
+    value[0] = NV_Ith_S(state, 0) - system.lower;
+    value[1] = system.upper - NV_Ith_S(state, 0);
     value[2] = NV_Ith_S(state, 1);
-    return 0;
-  }
-
-  FlightSetting setting_;
-  CvodeMemory memory_;
-  // NOTE: freed before the context of the memory.
-  Owned<SUNNonlinearSolver, SUNNonlinSolFree> solver_;
-  double start_ = 0;     // [s], of the leg
-  double friction_ = 0;  // [m/s^2], signed
-  std::int64_t steps_ = 0;
-  std::int64_t evaluations_ = 0;
-};
-
-Integrator cvode(const std::string& name, int method) {
-  return {name, "SUNDIALS " SUNDIALS_VERSION, "relative tolerance",
-          [method](const Scene& scene, double tolerance) {
-            Outcome outcome;
-            try {
-              CvodeFlight flight(flight_setting(scene), tolerance, method);
-              outcome = run_with_located_events(scene, flight);
-            } catch (const std::runtime_error& error) {  // in the set-up
-              outcome.failure = error.what();
-            }
-            return outcome;
-          }};
-}
-
-}  // namespace
-
-Integrator cvode_adams() {
-  return cvode("cvode-adams", CV_ADAMS);
-}
-
-Integrator cvode_bdf() {
-  return cvode("cvode-bdf", CV_BDF);
-}
-
-void require_cvode(bool done, const char* what) {
-  if (!done) throw std::runtime_error(std::string("CVODE: ") + what);
-}
-
-void require_cvode_flag(int flag) {
-  if (flag >= 0) return;
-  char* name = CVodeGetReturnFlagName(flag);
-  const std::string text = name;
-  std::free(name);
-  require_cvode(false, text.c_str());
-}
-
-CvodeMemory::CvodeMemory(int method, CVRhsFn slope, void* user, double tolerance, double absolute) {
-  require_cvode_flag(SUNContext_Create(nullptr, context_.address()));
-  vector_ = N_VMake_Serial(2, state_.data(), context_);
-  require_cvode(vector_ != nullptr, "no memory for the state");
-  memory_ = CVodeCreate(method, context_);
-  require_cvode(memory_ != nullptr, "no memory for the integrator");
-  require_cvode_flag(CVodeSetErrHandlerFn(
-      memory_, [](int, const char*, const char*, char*, void*) {}, nullptr));
-  require_cvode_flag(CVodeInit(memory_, slope, 0.0, vector_));
-  require_cvode_flag(CVodeSetUserData(memory_, user));
-  require_cvode_flag(CVodeSStolerances(memory_, tolerance, absolute));
-}
-
-namespace {
-
-class CvodeSteps : public StepMethod {
- public:
-  CvodeSteps(const PenaltySystem& system, double tolerance, int method)
-      : system_(system), memory_(method, slope, this, tolerance, tolerance * system.length) {
-    method == CV_BDF ? solve_by_newton() : solve_by_fixed_point();
-    require_cvode_flag(CVodeSetMaxStep(memory_.get(), longest_step(system.forces, system.window)));
-    require_cvode_flag(CVodeSetStopTime(memory_.get(), system.window));
-  }
-
-  // NOTE: the method keeps its history, so it uses the given state only at the start.
-  void step(double& time, State& state) override {
-    if (time == 0) {
-      memory_.state() = {state.position, state.velocity};
-      require_cvode_flag(CVodeReInit(memory_.get(), 0.0, memory_.vector()));
-    }
-    require_cvode_flag(CVode(memory_.get(), system_.window, memory_.vector(), &time, CV_ONE_STEP));
-    state = {memory_.state()[0], memory_.state()[1]};
-  }
-
-  std::int64_t evaluations() const override { return evaluations_; }
-
- private:
-  void solve_by_fixed_point() {
-    iteration_ = SUNNonlinSol_FixedPoint(memory_.vector(), 0, memory_.context());
-    require_cvode(iteration_ != nullptr, "no memory for the iteration");
-    require_cvode_flag(CVodeSetNonlinearSolver(memory_.get(), iteration_));
-  }
-
-  void solve_by_newton() {
-    matrix_ = SUNDenseMatrix(2, 2, memory_.context());
-    require_cvode(matrix_ != nullptr, "no memory for the matrix");
-    linear_ = SUNLinSol_Dense(memory_.vector(), matrix_, memory_.context());
-    require_cvode(linear_ != nullptr, "no memory for the linear solver");
-    require_cvode_flag(CVodeSetLinearSolver(memory_.get(), linear_, matrix_));
-    require_cvode_flag(CVodeSetJacFn(memory_.get(), jacobian));
-  }
-
-  static int slope(double time, N_Vector state, N_Vector rate, void* data) {
-    auto& self = *static_cast<CvodeSteps*>(data);
-    ++self.evaluations_;
-    const State at{NV_Ith_S(state, 0), NV_Ith_S(state, 1)};
-    NV_Ith_S(rate, 0) = at.velocity;
-    NV_Ith_S(rate, 1) = self.system_.acceleration(time, at);
     return 0;
   }
 
   static int jacobian(double /*time*/, N_Vector state, N_Vector /*rate*/, SUNMatrix matrix,
                       void* data, N_Vector, N_Vector, N_Vector) {
-    const auto& self = *static_cast<CvodeSteps*>(data);
-    const auto slopes = self.system_.wall.slopes({NV_Ith_S(state, 0), NV_Ith_S(state, 1)});
+    const auto slopes = static_cast<Cvode*>(data)->system_.slopes(state_in(state));
     SM_ELEMENT_D(matrix, 0, 0) = 0;
     SM_ELEMENT_D(matrix, 0, 1) = 1;
     SM_ELEMENT_D(matrix, 1, 0) = slopes.by_position;
@@ -285,30 +175,32 @@ class CvodeSteps : public StepMethod {
     return 0;
   }
 
-  const PenaltySystem& system_;
-  CvodeMemory memory_;
-  // NOTE: freed before the context of the memory.
-  Owned<SUNNonlinearSolver, SUNNonlinSolFree> iteration_;
-  Owned<SUNMatrix, SUNMatDestroy> matrix_;
-  Owned<SUNLinearSolver, SUNLinSolFree> linear_;
-  std::int64_t evaluations_ = 0;
+  // NOTE: freed from the last to the first; the context must outlive the others.
+  sundials::Context context_;
+  std::array<double, 2> state_{};
+  Owned<_generic_N_Vector, N_VDestroy> vector_{N_VMake_Serial(2, state_.data(), context_)};
+  Owned<_generic_SUNNonlinearSolver, SUNNonlinSolFree> iteration_;
+  Owned<_generic_SUNMatrix, SUNMatDestroy> matrix_;
+  Owned<_generic_SUNLinearSolver, SUNLinSolFree> linear_;
+  Owned<void, free_cvode> cvode_;
+  double time_ = 0;  // [s], reached in the flight
 };
 
-Integrator cvode_through_contacts(std::string name, int method) {
-  return penalty_integrator(std::move(name), "SUNDIALS " SUNDIALS_VERSION, "relative tolerance",
-                            [method](const PenaltySystem& system, double tolerance) {
-                              return std::make_unique<CvodeSteps>(system, tolerance, method);
-                            });
+Integrator cvode(const char* name, const char* title, int method) {
+  return adaptive(name, "SUNDIALS " SUNDIALS_VERSION, title,
+                  [method](System& system, double tolerance) {
+                    return std::make_unique<Cvode>(system, tolerance, method);
+                  });
 }
 
 }  // namespace
 
-Integrator penalty_cvode_adams() {
-  return cvode_through_contacts("cvode-adams", CV_ADAMS);
+Integrator cvode_adams() {
+  return cvode("cvode-adams", "SUNDIALS CVODE, Adams of order 1 to 12, with rootfinding", CV_ADAMS);
 }
 
-Integrator penalty_cvode_bdf() {
-  return cvode_through_contacts("cvode-bdf", CV_BDF);
+Integrator cvode_bdf() {
+  return cvode("cvode-bdf", "SUNDIALS CVODE, BDF of order 1 to 5, with rootfinding", CV_BDF);
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

@@ -28,19 +28,17 @@ struct OracleRun {
 /// A run stops at this number of impacts: beyond, its window holds no useful count.
 inline constexpr std::size_t oracle_impact_cap = 2000;
 
-/// Simulates fidelity `impact` at constant omega, for a valid scene: hard walls, Newton
-/// restitution, set-valued Coulomb friction. Independent of the impact model, with which it shares
-/// neither code nor method: 80-bit long double, the closed forms of push.h, and roots isolated by
-/// body.h. A grazing impact is decided by the distance to the wall at the turning point
-/// itself. The rest of a Zeno sequence is omitted only if it is proved that the body comes to rest
-/// on the wall before the force changes direction, with no impact faster than a thousandth of
-/// `counting_limit`, and, if maxima count, before the window ends. Throws std::invalid_argument for
-/// a scene with a speed profile.
+/// Simulates fidelity `impact` for a valid scene: hard walls, Newton restitution, set-valued
+/// Coulomb friction. Independent of the impact model, with which it shares neither code nor method:
+/// 80-bit long double, the power series of push.h, and roots isolated by first_fall.h. A grazing
+/// impact is decided by the distance to the wall at the turning point itself. The rest of a Zeno
+/// sequence is omitted only if it is proved that the body comes to rest on the wall before the
+/// force changes direction, with no impact faster than a thousandth of `counting_limit`, and, if
+/// maxima count, before the window ends.
 OracleRun oracle_run(const Scene& scene);
 
-/// The same under other applied forces, which may be those of a speed profile, in place of the
-/// scene's own. Its window must be in seconds.
-OracleRun oracle_run(const Scene& scene, const TermPush& push);
+/// The same under other applied forces in place of the scene's own.
+OracleRun oracle_run(const Scene& scene, const Push& push);
 
 /// The results of the library and the oracle for one scene. Fast impacts are those faster than
 /// `counting_limit`; under the rule of peaks the maxima that count take their place.

@@ -1,6 +1,7 @@
 #include "problems/carrier_track/check/random_scenes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -115,27 +116,11 @@ namespace {
 constexpr int draws =
     1000;  // attempts at a scene with the required summit or impact; far more than needed
 
-struct Named {
-  Hostility hostility;
-  std::string_view name;
-};
-
-const std::vector<Named>& names() {
-  static const std::vector<Named> list = {{Hostility::none, "none"},
-                                          {Hostility::graze, "graze"},
-                                          {Hostility::counting_limit, "counting limit"},
-                                          {Hostility::restitution, "restitution"},
-                                          {Hostility::friction_limit, "friction limit"},
-                                          {Hostility::start_on_wall, "start on wall"},
-                                          {Hostility::cancelling, "cancelling"},
-                                          {Hostility::slow_plate, "slow plate"},
-                                          {Hostility::fast_plate, "fast plate"},
-                                          {Hostility::open_above, "open above"},
-                                          {Hostility::no_pull, "no pull"},
-                                          {Hostility::slow_limit, "slow limit"},
-                                          {Hostility::maxima, "maxima"}};
-  return list;
-}
+// In the order of Hostility.
+constexpr std::array<std::string_view, 13> names = {
+    "none",          "graze",      "counting limit", "restitution", "friction limit",
+    "start on wall", "cancelling", "slow plate",     "fast plate",  "open above",
+    "no pull",       "slow limit", "maxima"};
 
 /// +-10^-k, k = 3..17.
 double closeness(RandomScenes& random) {
@@ -278,17 +263,14 @@ void make_hostile(Hostility hostility, RandomScenes& random, Scene& scene) {
 const std::vector<Hostility>& all_hostilities() {
   static const std::vector<Hostility> list = [] {
     std::vector<Hostility> all;
-    for (const Named& named : names()) all.push_back(named.hostility);
+    for (std::size_t k = 0; k < names.size(); ++k) all.push_back(static_cast<Hostility>(k));
     return all;
   }();
   return list;
 }
 
 std::string_view name_of(Hostility hostility) {
-  for (const Named& named : names()) {
-    if (named.hostility == hostility) return named.name;
-  }
-  throw std::logic_error("a hostility without a name");
+  return names.at(static_cast<std::size_t>(hostility));
 }
 
 HostileScene hostile_scene(int seed, int index) {

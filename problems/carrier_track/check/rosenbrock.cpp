@@ -1,15 +1,16 @@
-#include "problems/carrier_track/check/rosenbrock.h"
-
+#include <algorithm>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <boost/numeric/odeint/stepper/rosenbrock4_controller.hpp>
 #include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
 #include <utility>
 
-#include "problems/carrier_track/check/flight_method.h"
+#include "problems/carrier_track/check/method.h"
 
 /// Boost.Odeint's rosenbrock4 with a corrected coefficient. NOTE: plain C++17; it does not compile
 /// as C++20.
-namespace ricochet::carrier_track::rosenbrock {
+namespace ricochet::carrier_track::inline reference_integrators {
+
+namespace {
 
 namespace odeint = boost::numeric::odeint;
 
@@ -19,119 +20,64 @@ struct Coefficients : odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -0.3620000000000023e-01;
 };
 
-using Method = odeint::rosenbrock4<double, Coefficients>;
-using Vector = Method::state_type;
-using Matrix = Method::matrix_type;
-using Controller = odeint::rosenbrock4_controller<Method>;
+using Stepper = odeint::rosenbrock4<double, Coefficients>;
+using Vector = Stepper::state_type;
+using Matrix = Stepper::matrix_type;
+using Controller = odeint::rosenbrock4_controller<Stepper>;
 
-}  // namespace ricochet::carrier_track::rosenbrock
-
-namespace ricochet::carrier_track::inline reference_integrators {
-
-namespace {
-
-using namespace rosenbrock;
-
-class RosenbrockFlight : public FlightMethod {
+class Rosenbrock : public Method {
  public:
-  RosenbrockFlight(const FlightSetting& setting, double tolerance)
-      : setting_(setting),
-        stepper_(Controller(tolerance * setting.length, tolerance,
-                            longest_step(setting.forces, setting.window))),
-        step_(0.1 * longest_step(setting.forces, setting.window)),
-        longest_(step_),
-        workspace_(2) {}
+  Rosenbrock(System& system, double tolerance)
+      : Method(system),
+        stepper_(Controller(tolerance * system.length, tolerance, system.longest_step())),
+        step_(0.1 * system.longest_step()) {}
 
-  Landing fly(const Leg& leg) override {
-    const double friction = leg.direction * setting_.forces.friction;
-    const auto pull = [&](double time) {
-      ++evaluations_;
-      return setting_.forces.applied(leg.start + time) - friction;
-    };
-    const auto slope = [&](const Vector& x, Vector& dxdt, double time) {
-      dxdt[0] = x[1];
-      dxdt[1] = pull(time);
-    };
-    const auto jacobian = [&](const Vector& /*x*/, Matrix& j, double time, Vector& dfdt) {
-      j(0, 0) = 0;
-      j(0, 1) = 1;
-      j(1, 0) = 0;
-      j(1, 1) = 0;
-      dfdt[0] = 0;
-      dfdt[1] = setting_.forces.applied_rate(leg.start + time);
-    };
+  void start(const State& state) override {
     // NOTE: the dense output is only as good as the tolerance, and a rebound much shorter than the
     // step is lost in it: without this limit a Zeno sequence goes on forever as noise.
-    step_ = std::min(step_, longest_);
-    const Landing landing = fly_dense(stepper_, std::make_pair(slope, jacobian), pull, setting_.gap,
-                                      setting_.forces.friction > 0, leg, workspace_, step_, steps_);
-    if (landing.duration > 0) longest_ = 2 * landing.duration;
-    return landing;
+    if (last_flight_ > 0) step_ = std::min(step_, 2 * last_flight_);
+    x_[0] = state.position;
+    x_[1] = state.velocity;
+    stepper_.initialize(x_, 0.0, step_);
   }
 
-  std::int64_t evaluations() const override { return evaluations_; }
-
- private:
-  FlightSetting setting_;
-  boost::numeric::odeint::rosenbrock4_dense_output<Controller> stepper_;
-  double step_;     // [s], proposed by the stepper
-  double longest_;  // [s], the first step of the next leg
-  Vector workspace_;
-  std::int64_t steps_ = 0;
-  std::int64_t evaluations_ = 0;
-};
-
-}  // namespace
-
-std::unique_ptr<FlightMethod> rosenbrock_flight(const FlightSetting& setting, double tolerance) {
-  return std::make_unique<RosenbrockFlight>(setting, tolerance);
-}
-
-namespace {
-
-class RosenbrockSteps : public StepMethod {
- public:
-  RosenbrockSteps(const PenaltySystem& system, double tolerance)
-      : system_(system),
-        stepper_(tolerance * system.length, tolerance, longest_step(system.forces, system.window)),
-        step_(0.1 * longest_step(system.forces, system.window)),
-        state_(2) {}
-
-  void step(double& time, State& state) override {
+  double step() override {
     const auto slope = [this](const Vector& x, Vector& dxdt, double t) {
-      ++evaluations_;
       dxdt[0] = x[1];
       dxdt[1] = system_.acceleration(t, {x[0], x[1]});
     };
     const auto jacobian = [this](const Vector& x, Matrix& j, double t, Vector& dfdt) {
-      const WallForce::Slopes slopes = system_.wall.slopes({x[0], x[1]});
+      const WallForce::Slopes slopes = system_.slopes({x[0], x[1]});
       j(0, 0) = 0;
       j(0, 1) = 1;
       j(1, 0) = slopes.by_position;
       j(1, 1) = slopes.by_velocity;
       dfdt[0] = 0;
-      dfdt[1] = system_.forces.applied_rate(t);
+      dfdt[1] = system_.applied_rate(t);
     };
-    state_[0] = state.position;
-    state_[1] = state.velocity;
-    take_step(stepper_, std::make_pair(slope, jacobian), state_, time, step_, system_.window);
-    state = {state_[0], state_[1]};
+    stepper_.do_step(std::make_pair(slope, jacobian));
+    step_ = stepper_.current_time_step();
+    return stepper_.current_time();
   }
 
-  std::int64_t evaluations() const override { return evaluations_; }
+  State at(double time) override {
+    if (time == stepper_.current_time()) {
+      return {stepper_.current_state()[0], stepper_.current_state()[1]};
+    }
+    stepper_.calc_state(time, x_);
+    return {x_[0], x_[1]};
+  }
 
  private:
-  const PenaltySystem& system_;
-  Controller stepper_;
+  odeint::rosenbrock4_dense_output<Controller> stepper_;
   double step_;  // [s], proposed by the stepper
-  Vector state_;
-  std::int64_t evaluations_ = 0;
+  Vector x_{2};
 };
 
 }  // namespace
 
-std::unique_ptr<StepMethod> rosenbrock_steps(const PenaltySystem& system, double tolerance) {
-  return std::make_unique<RosenbrockSteps>(system, tolerance);
+std::unique_ptr<Method> rosenbrock(System& system, double tolerance) {
+  return std::make_unique<Rosenbrock>(system, tolerance);
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

@@ -75,6 +75,16 @@ TestScene test_scene(const Scene& machine);
 /// The applied force [N] at a time [s].
 double force_at(const TestScene& scene, double time);
 
+/// What a tool may choose steps and tolerances by: it is sent with the scene.
+struct Scales {
+  double length = 0;  ///< [m], the clearance; without an upper wall the start's height, or 1 mm
+  double force = 0;   ///< [N], no applied force is larger
+  double speed = 0;   ///< [m/s], that the force gives over that length, or that of the start
+  double step = 0;    ///< [s], twenty in the shortest period, and fifty in the duration
+};
+RICOCHET_FIELDS(Scales, length, force, speed, step);
+Scales scales_of(const TestScene& scene);
+
 /// An impact as it truly happens, to 1e-12 s, and how well it is conditioned.
 struct TrueImpact {
   double time;  ///< [s]

@@ -16,83 +16,8 @@ namespace {
 
 using namespace carrier_track;
 
-using Real = long double;
-using Polynomial = std::array<Real, 3>;
-
-constexpr Real pi = std::numbers::pi_v<Real>;
-
-/// The driver plate from a time on: alpha + omega u + slope u^2 / 2.
-struct Leg {
-  Real from, alpha, omega, slope;
-};
-
-std::vector<Leg> legs_of(const Scene& machine) {
-  const Real phase = machine.phase;
-  if (machine.profile.empty()) return {{0, phase, machine.omega, 0}};
-  std::vector<Leg> legs = {{0, phase, machine.profile.front().omega, 0}};
-  for (std::size_t k = 0; k < machine.profile.size(); ++k) {
-    const auto& [time, omega] = machine.profile[k];
-    const Leg& last = legs.back();
-    const Real since = time - last.from;
-    Leg leg{time, last.alpha + since * (last.omega + last.slope * since / 2), omega, 0};
-    if (k + 1 < machine.profile.size()) {
-      const auto& next = machine.profile[k + 1];
-      leg.slope = (static_cast<Real>(next.omega) - omega) / (static_cast<Real>(next.time) - time);
-    }
-    if (since > 0) {
-      legs.push_back(leg);
-    } else {
-      legs.back() = leg;
-    }
-  }
-  for (Leg& leg : legs) leg.alpha = std::remainder(leg.alpha, 2 * pi);
-  return legs;
-}
-
-std::array<double, 3> rounded(const Polynomial& p) {
+std::array<double, 3> rounded(const std::array<long double, 3>& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
-/// Collects the terms of a segment, without those that are zero.
-class Terms {
- public:
-  void add(const Polynomial& amplitude, const Polynomial& phase) {
-    const auto a = rounded(amplitude);
-    if (std::ranges::all_of(a, [](double x) { return x == 0; })) return;
-    terms_.push_back({a, rounded(phase)});
-  }
-  std::vector<ForceTerm> take() { return std::move(terms_); }
-
- private:
-  std::vector<ForceTerm> terms_;
-};
-
-ForceSegment segment_of(const Scene& machine, const Leg& leg) {
-  const Polynomial square = {leg.omega * leg.omega, 2 * leg.omega * leg.slope,
-                             leg.slope * leg.slope};
-  const auto times = [](Real factor, Polynomial p) {
-    for (Real& x : p) x *= factor;
-    return p;
-  };
-  const auto turned = [&](Real by) { return Polynomial{leg.alpha + by, leg.omega, leg.slope / 2}; };
-  Polynomial steady = {};
-  Real plate = -static_cast<Real>(machine.slider_mass_radius);
-  const Real centrifugal = machine.centrifugal_mass_radius;
-  if (machine.centrifugal == Centrifugal::projected) plate += centrifugal;
-  if (machine.centrifugal == Centrifugal::inward) steady = times(-centrifugal, square);
-  if (machine.centrifugal == Centrifugal::outward) steady = times(centrifugal, square);
-  if (!machine.pull_rotates) steady[0] -= machine.pull;
-  Terms terms;
-  terms.add(steady, {});
-  terms.add(times(plate, square), turned(0));
-  // -omega' sin alpha = -omega' cos(alpha - pi / 2)
-  terms.add({-machine.slider_mass_radius * leg.slope, 0, 0}, turned(-pi / 2));
-  if (machine.pull_rotates) terms.add({-machine.pull, 0, 0}, turned(machine.pull_phase));
-  const Real frequency = machine.disturbance_frequency;
-  terms.add(
-      {machine.disturbance, 0, 0},
-      {std::remainder(machine.disturbance_phase + frequency * leg.from, 2 * pi), frequency, 0});
-  return {static_cast<double>(leg.from), terms.take()};
 }
 
 double polynomial(const std::array<double, 3>& p, double u) {
@@ -113,8 +38,9 @@ TestScene test_scene(const Scene& machine) {
   scene.velocity = machine.start_velocity;
   scene.duration = duration_of(machine);
   scene.slowest = machine.counting_limit;
-  for (const Leg& leg : legs_of(machine)) {
-    if (leg.from < scene.duration) scene.force.push_back(segment_of(machine, leg));
+  for (const auto& [from, terms] : applied_force(machine)) {
+    ForceSegment& segment = scene.force.emplace_back(ForceSegment{static_cast<double>(from), {}});
+    for (const auto& [a, p] : terms) segment.terms.push_back({rounded(a), rounded(p)});
   }
   return scene;
 }
@@ -129,6 +55,28 @@ double force_at(const TestScene& scene, double time) {
     sum += polynomial(term.amplitude, u) * std::cos(polynomial(term.phase, u));
   }
   return sum;
+}
+
+Scales scales_of(const TestScene& scene) {
+  Scales scales;
+  double fastest = 1e-9;  // [rad/s]
+  for (std::size_t k = 0; k < scene.force.size(); ++k) {
+    const double end = k + 1 < scene.force.size() ? scene.force[k + 1].from : scene.duration;
+    for (const double u : {0.0, (end - scene.force[k].from) / 2, end - scene.force[k].from}) {
+      double force = 0;
+      for (const auto& [a, p] : scene.force[k].terms) {
+        force += std::abs(polynomial(a, u));
+        fastest = std::max(fastest, std::abs(p[1] + 2 * u * p[2]));
+      }
+      scales.force = std::max(scales.force, force);
+    }
+  }
+  scales.length =
+      scene.upper ? *scene.upper - scene.lower : std::max(1e-3, scene.position - scene.lower);
+  scales.speed =
+      std::max(std::abs(scene.velocity), std::sqrt(2 * scales.force / scene.mass * scales.length));
+  scales.step = std::min(scene.duration / 50, 2 * std::numbers::pi / 20 / fastest);
+  return scales;
 }
 
 namespace {
@@ -235,18 +183,15 @@ Scene track_of(const TestScene& scene) {
   return track;
 }
 
-TermPush push_of(const TestScene& scene) {
-  std::vector<TermPush::Piece> pieces;
-  const long double mass = scene.mass;
+Push push_of(const TestScene& scene) {
+  std::vector<PushPiece> pieces;
   for (const ForceSegment& segment : scene.force) {
-    TermPush::Piece piece{segment.from, {}};
-    for (const ForceTerm& term : segment.terms) {
-      const auto& [a, p] = term;
-      piece.terms.push_back({{a[0] / mass, a[1] / mass, a[2] / mass}, {p[0], p[1], p[2]}});
+    PushPiece& piece = pieces.emplace_back(PushPiece{segment.from, {}});
+    for (const auto& [a, p] : segment.terms) {
+      piece.terms.push_back({{a[0], a[1], a[2]}, {p[0], p[1], p[2]}});
     }
-    pieces.push_back(std::move(piece));
   }
-  return TermPush(std::move(pieces), scene.duration);
+  return Push(std::move(pieces), scene.mass, scene.duration);
 }
 
 /// The scene with every number changed by up to `change` of itself, at random; the start by as much

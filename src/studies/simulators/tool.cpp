@@ -276,7 +276,9 @@ Answer ToolSession::answered(const TestScene& scene) {
   const std::chrono::seconds limit = has_answered_ ? limits_.scene : limits_.start;
   const outside::Patience patience{limit, "it was sent a scene", limit};
   try {
-    process_->send(report::Json(scene).dump() + "\n");
+    report::Json sent = scene;
+    sent["scales"] = scales_of(scene);
+    process_->send(sent.dump() + "\n");
     const auto line = process_->line(patience);
     if (line) return answer_in(*line, scene.scene);
   } catch (const std::runtime_error&) {  // it has read or written nothing for too long

@@ -1,43 +1,22 @@
 % Octave's ode45 with events that end the integration. It finds an event by linear interpolation
-% between two steps, and none in the first one: hence short steps. m: scene, phase and state.
-1;
-
-function f = force(m, t)  % N
-  u = (t - m.force(m.k).from) .^ (0:2);
-  f = sum((u * [m.force(m.k).terms.amplitude]) .* cos(u * [m.force(m.k).terms.phase]));
-end
-
-function h = hold(m, t)  % N; at rest: what is missing to a force that moves the body
-  h = m.friction - max([1 -1]([m.y(1) < m.upper, m.y(1) > m.lower]) * force(m, t));
-end
-
-function dy = rates(t, y, m)
-  dy = m.moves * [y(2); (force(m, t) - m.direction * m.friction) / m.mass];
-end
-
-function [values, terminal, falling] = events(t, y, m)
-  values = [y(1) - m.lower, min(m.upper - y(1), 1), m.direction * y(2)](1:2 + (m.friction > 0));
-  if (! m.moves) values = hold(m, t); end
-  [terminal, falling] = deal(ones(size(values)), -ones(size(values)));
-end
-
-function m = settle(m, t, released)  % whether it moves, and in which direction
-  m.moves = released || m.y(2) != 0 || hold(m, t) < 0;
-  m.direction = sign(m.y(2) + (m.y(2) == 0) * force(m, t));
-end
+% between two steps, and none in the first one: hence short steps.
+warning("off", "all");
+source(fullfile(fileparts(mfilename("fullpath")), "tool.m"));
 
 function [impacts, last] = simulate(m, level)
   [tolerance, per_crossing, rest] = deal(10 ^ (-2 - 2 * level), [5 20 50](level), m.slowest / 4);
   [m.k, m.y, t, impacts] = deal(1, [m.position m.velocity], 0, {});
   [walls, bounce] = deal([m.lower m.upper], -[m.restitution_lower m.restitution_upper]);
-  options = odeset("RelTol", tolerance, "AbsTol", tolerance * [m.length; m.speed], "Refine", 1);
+  scale = m.scales;
+  absolute = tolerance * [scale.length; scale.speed];
+  options = odeset("RelTol", tolerance, "AbsTol", absolute, "Refine", 1);
   m = settle(m, t, false);
   for event = 1:20000
     if (t >= m.duration) last = m.y; return; end
     last = min([[m.force(m.k + 1:end).from], m.duration]);
-    longest = min(last - t, m.longest_step);
-    if (m.moves) longest = min(longest, m.length / m.speed / per_crossing); end
-    [options.MaxStep, first] = deal(longest, rest * m.mass / m.strength);
+    longest = min(last - t, scale.step);
+    if (m.moves) longest = min(longest, scale.length / scale.speed / per_crossing); end
+    [options.MaxStep, first] = deal(longest, rest * m.mass / scale.force);
     options.InitialStep = min(longest, first); options.Events = @(t, y) events(t, y, m);
     [ts, ys, ~, ~, w] = ode45(@(t, y) rates(t, y, m), [t last], m.y, options);
     [t, m.y, found, moved] = deal(ts(end), ys(end, :), ! isempty(w), m.moves);
@@ -54,6 +33,4 @@ function [impacts, last] = simulate(m, level)
   error("too many events");
 end
 
-warning("off", "all");
-addpath(fileparts(mfilename("fullpath")));
 tool(@simulate);

@@ -1,19 +1,14 @@
-// Open Dynamics Engine: a sphere on a slider between two planes. Restitution is a contact's bounce;
-// friction is the slider's motor, which holds the body at rest with at most that force.
+// Open Dynamics Engine: a sphere on a slider, whose motor is friction, between two planes.
 #include <ode/ode.h>
 
 #include "engine.h"
 
 struct World {
-  World(const impact_test::Scene& scene_of, double step_length, double threshold_speed)
-      : scene(scene_of), length(step_length), threshold(threshold_speed) {
+  World(const Scene& of, double step, double slow) : scene(of), length(step), threshold(slow) {
     dWorldSetContactMaxCorrectingVel(world, threshold);  // what is deep in a wall is not thrown out
-    dMass mass;
-    dMassSetSphereTotal(&mass, 1, radius);
-    dBodySetMass(body, &mass);
+    dGeomSetBody(sphere, body);
     dBodySetPosition(body, scene.position, 0, 0);
     dBodySetLinearVel(body, scene.velocity, 0, 0);
-    dGeomSetBody(sphere, body);
     const dJointID slider = dJointCreateSlider(world, nullptr);
     dJointAttach(slider, body, nullptr);
     dJointSetSliderAxis(slider, 1, 0, 0);
@@ -26,7 +21,7 @@ struct World {
   }
   void step(double force) {
     collide(lower, scene.restitution_lower);
-    if (scene.upper < impact_test::infinity) collide(upper, scene.restitution_upper);
+    collide(upper, scene.restitution_upper);
     dBodyAddForce(body, force, 0, 0);
     dWorldStep(world, length);
     dJointGroupEmpty(contacts);
@@ -40,18 +35,16 @@ struct World {
   double position() const { return dBodyGetPosition(body)[0]; }
   double velocity() const { return dBodyGetLinearVel(body)[0]; }
 
-  static constexpr double radius = 1;
-  const impact_test::Scene& scene;
+  const Scene& scene;
   double length, threshold;
-  int started = dInitODE2(0);
-  dWorldID world = dWorldCreate();
+  dWorldID world = (dInitODE2(0), dWorldCreate());
   dSpaceID space = dSimpleSpaceCreate(nullptr);
   dJointGroupID contacts = dJointGroupCreate(0);
-  dBodyID body = dBodyCreate(world);
-  dGeomID sphere = dCreateSphere(space, radius), lower = dCreatePlane(space, 1, 0, 0, -radius);
-  dGeomID upper = dCreatePlane(space, -1, 0, 0, -radius - std::min(scene.upper, 1e9));
+  dBodyID body = dBodyCreate(world);  // of mass 1
+  dGeomID sphere = dCreateSphere(space, 1), lower = dCreatePlane(space, 1, 0, 0, -1);
+  dGeomID upper = dCreatePlane(space, -1, 0, 0, -1 - scene.upper);
 };
 
 int main(int argc, char** argv) {
-  return impact_test::run_engine<World>(argc, argv, {1, 1.2});
+  return run_engine<World>(argc, argv, {1, 1.2});
 }

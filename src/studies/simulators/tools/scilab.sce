@@ -1,39 +1,21 @@
 // Scilab's ode("root", ...), which is LSODAR of ODEPACK. As its manual says, %ODEOPTIONS bounds the
-// step and keeps it from passing the next jump of the force. m: scene, phase and state.
-function h = hold(m, t)  // N; at rest: what is missing to a force that moves the body
-    f = force(m, t);
-    h = m.friction - max([f(m.y(1) < m.upper), -f(m.y(1) > m.lower)]);
-endfunction
-
-function dy = rates(t, y, m)
-    dy = [y(2); (force(m, t) - m.way * m.friction) / m.mass] * m.moves;
-endfunction
-
-function v = values(t, y, m)
-    v = [y(1) - m.lower; min(m.upper - y(1), 1); m.way * y(2) + bool2s(m.friction == 0)];
-    if ~m.moves then v = [hold(m, t); 1; 1]; end
-endfunction
-
-function m = settle(m, t, released)  // whether it moves, and in which direction
-    m.moves = bool2s(released | m.y(2) <> 0 | hold(m, t) < 0);
-    m.way = sign(m.y(2) + bool2s(m.y(2) == 0) * force(m, t));
-endfunction
-
+// step and keeps it from passing the next jump of the force.
 function [impacts, last] = simulate(m, level)
     tolerance = [1e-4, 1e-6, 1e-10](level); rest = m.slowest / 4;
     m.k = 1; m.y = [m.position; m.velocity]; t = 0; impacts = [];
     walls = [m.lower, m.upper]; bounce = -[m.restitution_lower, m.restitution_upper];
+    scale = [m.scales.length; m.scales.speed];
     m = settle(m, t, %f);
     for event = 1:20000
         if t >= m.duration then last = m.y; return; end
         stop = min([m.from(m.k + 1:$); m.duration]);
-        longest = min([m.longest_step; ones(m.moves, 1) * m.span / m.speed]);
+        longest = min([m.scales.step; ones(m.moves, 1) * scale(1) / scale(2)]);
         %ODEOPTIONS = [4, stop, 0, longest, 0, 2, 1e6, 12, 5, 0, -1, -1];
         // LSODAR refuses a function that stays zero at the start: hence a little off it.
-        off = 1e-9 * m.moves * [m.span; m.speed] .* [bool2s(m.y(1) <= m.lower) - ..
+        off = 1e-9 * m.moves * scale .* [bool2s(m.y(1) <= m.lower) - ..
             bool2s(m.y(1) >= m.upper); m.way * bool2s(m.y(2) == 0)];
         [y, found] = ode("root", m.y + off, t, stop, tolerance, ..
-                         tolerance * [m.span; m.speed], list(rates, m), 3, list(values, m));
+                         tolerance * scale, list(rates, m), 3, list(values, m));
         moved = m.moves; m.y = y(:, $); t = stop;
         if found <> [] then t = found(1); end
         if stop - t < 1e-12 & stop < m.duration then m.k = m.k + 1; end

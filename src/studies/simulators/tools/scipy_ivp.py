@@ -17,7 +17,7 @@ def event(motion, which):
 def simulate(scene, call):
     tolerance = call.pick(1e-4, 1e-6, 1e-10)
     motion = tool.Motion(scene, tolerance)
-    absolute = [tolerance * scene.length(), tolerance * scene.speed()]
+    absolute = [tolerance * scene.length, tolerance * scene.speed]
     while not motion.over():
         solution = solve_ivp(
             motion.rates,

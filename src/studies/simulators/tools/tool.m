@@ -1,6 +1,33 @@
-% What drivers in Octave of the impact test share: answers all scenes of the standard input by
+% What drivers in Octave share. tool(simulate) answers all scenes of the standard input by
 % [impacts, end] = simulate(scene, level), with impacts {time s, wall, speed m/s} in a cell array,
-% and level 1 (loose), 2 or 3 (tight). A missing upper wall is at Inf.
+% and level 1 (loose), 2 or 3 (tight). A missing upper wall is at Inf. The motion between events is
+% that of m: a scene with its segment k, the state y, whether it moves, and in which direction.
+1;
+
+function f = force(m, t)  % N
+  u = (t - m.force(m.k).from) .^ (0:2);
+  f = sum((u * [m.force(m.k).terms.amplitude]) .* cos(u * [m.force(m.k).terms.phase]));
+end
+
+function h = hold(m, t)  % N; at rest: what is missing to a force that moves the body
+  h = m.friction - max([1 -1]([m.y(1) < m.upper, m.y(1) > m.lower]) * force(m, t));
+end
+
+function dy = rates(t, y, m)
+  dy = m.moves * [y(2); (force(m, t) - m.direction * m.friction) / m.mass];
+end
+
+function [values, terminal, falling] = events(t, y, m)
+  values = [y(1) - m.lower, min(m.upper - y(1), 1), m.direction * y(2)](1:2 + (m.friction > 0));
+  if (! m.moves) values = hold(m, t); end
+  [terminal, falling] = deal(ones(size(values)), -ones(size(values)));
+end
+
+function m = settle(m, t, released)  % whether it moves, and in which direction
+  m.moves = released || m.y(2) != 0 || hold(m, t) < 0;
+  m.direction = sign(m.y(2) + (m.y(2) == 0) * force(m, t));
+end
+
 function tool(simulate)
   level = find(strcmp(argv(){end}, {"loose", "usual", "tight"}));
   do
@@ -8,26 +35,15 @@ function tool(simulate)
     while (! isempty(c = fread(stdin, 1, "uint8=>char")) && c != "\n") line(end + 1) = c; end
     if (isempty(line)) break; end
     scene = jsondecode(line);
+    if (isempty(scene.upper)) scene.upper = Inf; end
     answer = struct("scene", scene.scene);
     try
       start = cputime();
-      [impacts, last] = simulate(with_scales(scene), level);
-      [answer.seconds, answer.impacts, answer.end] = deal(cputime() - start, impacts, last);
+      [answer.impacts, answer.end] = simulate(scene, level);
+      answer.seconds = cputime() - start;
     catch failure
       answer.error = failure.message;
     end
     puts([jsonencode(answer) "\n"]); fflush(stdout);
   until (false)
-end
-
-% Adds to a scene its largest force [N], a length [m], a speed [m/s], and a step [s]: twenty in a
-% period of the fastest force, and fifty in the duration.
-function s = with_scales(s)
-  if (isempty(s.upper)) s.upper = Inf; end
-  s.length = s.upper - s.lower;
-  if (isinf(s.length)) s.length = max(1e-3, s.position - s.lower); end
-  s.strength = max(cellfun(@(terms) sum(abs([terms.amplitude](1, :))), {s.force.terms}));
-  s.speed = max(abs(s.velocity), sqrt(2 * s.length * s.strength / s.mass));
-  fastest = max(cellfun(@(terms) max(abs([terms.phase](2, :))), {s.force.terms}));
-  s.longest_step = min(s.duration / 50, 2 * pi / 20 / max(fastest, 1e-9));
 end

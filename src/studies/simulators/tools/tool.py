@@ -1,5 +1,5 @@
 """What the drivers in Python of the impact test share: the loop over scenes, and the motion between
-events. The same as tool.h and motion.h, in Python.
+events.
 
 A driver ends with `tool.run(simulate)`; simulate(scene, call) returns a Result.
 """
@@ -48,8 +48,11 @@ class Scene:
     """mass x'' = force - friction sign(x') between the walls; x' -> -restitution x' at a wall."""
 
     def __init__(self, text):
-        self.__dict__.update({key: text[key] for key in text if key != "force"})
+        self.__dict__.update({key: text[key] for key in text if key not in ("force", "scales")})
         self.upper = math.inf if text["upper"] is None else text["upper"]
+        # m, m/s, N, and s: a step that samples the fastest force twenty times a period
+        self.length, self.speed = text["scales"]["length"], text["scales"]["speed"]
+        self.largest_force, self.longest_step = text["scales"]["force"], text["scales"]["step"]
         self.starts = [part["from"] for part in text["force"]]
         self.segments = [
             [term["amplitude"] + term["phase"] for term in part["terms"]] for part in text["force"]
@@ -58,23 +61,19 @@ class Scene:
     def in_units(self, metre, second):
         """The scene with so many units of length in a metre and of time in a second, and with the
         body's mass as the unit of mass."""
-        scene = copy.copy(self)
-        for key in ("position", "lower", "upper"):
-            setattr(scene, key, getattr(self, key) * metre)
-        for key in ("velocity", "slowest"):
-            setattr(scene, key, getattr(self, key) * metre / second)
-        scene.mass, scene.duration = 1.0, self.duration * second
+        scene, force = copy.copy(self), metre / second**2 / self.mass
+        units = {"position lower upper length": metre, "velocity slowest speed": metre / second,
+                 "duration longest_step": second, "friction largest_force": force}
+        for keys, unit in units.items():
+            for key in keys.split():
+                setattr(scene, key, getattr(self, key) * unit)
+        scene.mass = 1.0
         scene.starts = [start * second for start in self.starts]
-        force = metre / second**2 / self.mass
-        scene.friction = self.friction * force
         scale = [force / second**k for k in range(3)] + [1 / second**k for k in range(3)]
         scene.segments = [
             [[x * y for x, y in zip(term, scale)] for term in terms] for terms in self.segments
         ]
         return scene
-
-    def segment_at(self, t):
-        return max(0, bisect.bisect_right(self.starts, t) - 1)
 
     def end_of(self, segment):
         return min(self.starts[segment + 1 : segment + 2] + [self.duration])
@@ -82,44 +81,12 @@ class Scene:
     def force(self, t, segment=None):
         """[N]; of a given segment, or of the one at time t [s]."""
         if segment is None:
-            segment = self.segment_at(t)
+            segment = max(0, bisect.bisect_right(self.starts, t) - 1)
         u = t - self.starts[segment]
         return sum(
             (a + u * (b + u * c)) * math.cos(p + u * (q + u * r))
             for a, b, c, p, q, r in self.segments[segment]
         )
-
-    def _largest(self, measure):
-        spans = [self.end_of(k) - start for k, start in enumerate(self.starts)]
-        return max(
-            measure(terms, u)
-            for terms, span in zip(self.segments, spans)
-            for u in (0.0, span / 2, span)
-        )
-
-    def largest_force(self):
-        """No force is larger [N]."""
-        return self._largest(
-            lambda terms, u: sum(abs(a + u * (b + u * c)) for a, b, c, *_ in terms)
-        )
-
-    def longest_step(self):
-        """Twenty steps a period of the fastest force, and fifty in the duration [s]."""
-        fastest = self._largest(
-            lambda terms, u: max([abs(q + 2 * u * r) for *_, q, r in terms], default=0)
-        )
-        return min(self.duration / 50, 2 * math.pi / 20 / max(fastest, 1e-9))
-
-    def length(self):
-        """The clearance; a millimetre, or the start's height, without an upper wall [m]."""
-        if self.upper < math.inf:
-            return self.upper - self.lower
-        return max(1e-3, self.position - self.lower)
-
-    def speed(self):
-        """The speed that the force gives over that length [m/s]."""
-        reached = math.sqrt(2 * self.largest_force() / self.mass * self.length())
-        return max(abs(self.velocity), reached)
 
 
 class Motion:
@@ -139,11 +106,11 @@ class Motion:
         scored; or if the height is lost in rounding."""
         self.scene, self.result = scene, Result()
         self.time, self.state = 0.0, [scene.position, scene.velocity]
-        farthest = max(abs(scene.lower), abs(scene.lower + scene.length()))
+        farthest = max(abs(scene.lower), abs(scene.lower + scene.length))
         rounding = 1e3 * sys.float_info.epsilon * farthest
         self.rest_speed = max(
-            min(math.sqrt(tolerance) * scene.speed(), scene.slowest / 4),
-            math.sqrt(2 * rounding * scene.largest_force() / scene.mass),
+            min(math.sqrt(tolerance) * scene.speed, scene.slowest / 4),
+            math.sqrt(2 * rounding * scene.largest_force / scene.mass),
         )
         self.segment, self.at_once = 0, 0
         self._settle(False)
@@ -188,8 +155,8 @@ class Motion:
     def longest_step(self):
         """At rest that of the scene; in flight no longer than the clearance takes at full speed
         [s]."""
-        longest = self.scene.longest_step()
-        return min(longest, self.scene.length() / self.scene.speed()) if self.moves else longest
+        longest = self.scene.longest_step
+        return min(longest, self.scene.length / self.scene.speed) if self.moves else longest
 
     def first_step(self):
         """Ends before the body can be back at the wall [s]: functions that start at zero are then

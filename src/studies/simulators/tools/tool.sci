@@ -8,25 +8,23 @@ function f = force(m, t)  // N
     f = sum((m.segments(m.k)(:, 1:3) * u) .* cos(m.segments(m.k)(:, 4:6) * u));
 endfunction
 
-// Adds to a scene its segments, each with a row [amplitude, phase] a term, its largest force [N], a
-// length [m], a speed [m/s], and a step [s]: twenty in a period of the fastest force, and fifty in
-// the duration.
-function s = with_scales(s)
-    if s.upper == "null" then s.upper = %inf; end
-    s.from = []; s.segments = list(); s.strength = 0; fastest = 1e-9;
-    for k = 1:size(s.force, "*")
-        terms = [];
-        part = s.force(k).terms;
-        for j = 1:size(part, "*"), terms(j, 1:6) = [part(j).amplitude, part(j).phase]; end
-        s.from(k) = s.force(k).from;
-        s.segments(k) = terms;
-        s.strength = max(s.strength, sum(abs(terms(:, 1))));
-        fastest = max([fastest; abs(terms(:, 5))]);
-    end
-    s.span = s.upper - s.lower;
-    if isinf(s.span) then s.span = max(1e-3, s.position - s.lower); end
-    s.speed = max(abs(s.velocity), sqrt(2 * s.span * s.strength / s.mass));
-    s.longest_step = min(s.duration / 50, 2 * %pi / 20 / fastest);
+function h = hold(m, t)  // N; at rest: what is missing to a force that moves the body
+    f = force(m, t);
+    h = m.friction - max([f(m.y(1) < m.upper), -f(m.y(1) > m.lower)]);
+endfunction
+
+function dy = rates(t, y, m)
+    dy = [y(2); (force(m, t) - m.way * m.friction) / m.mass] * m.moves;
+endfunction
+
+function v = values(t, y, m)
+    v = [y(1) - m.lower; min(m.upper - y(1), 1); m.way * y(2) + bool2s(m.friction == 0)];
+    if ~m.moves then v = [hold(m, t); 1; 1]; end
+endfunction
+
+function m = settle(m, t, released)  // whether it moves, and in which direction
+    m.moves = bool2s(released | m.y(2) <> 0 | hold(m, t) < 0);
+    m.way = sign(m.y(2) + bool2s(m.y(2) == 0) * force(m, t));
 endfunction
 
 function tool()
@@ -35,9 +33,18 @@ function tool()
     line = mgetl(%io(1), 1);
     while line <> [] & line <> ""
         scene = fromJSON(line);
+        if scene.upper == "null" then scene.upper = %inf; end
+        scene.from = []; scene.segments = list();  // a row [amplitude, phase] a term
+        for k = 1:size(scene.force, "*")
+            terms = [];
+            part = scene.force(k).terms;
+            for j = 1:size(part, "*"), terms(j, 1:6) = [part(j).amplitude, part(j).phase]; end
+            scene.from(k) = scene.force(k).from;
+            scene.segments(k) = terms;
+        end
         try
             timer();
-            [impacts, last] = simulate(with_scales(scene), level);
+            [impacts, last] = simulate(scene, level);
             texts = [];
             names = ["lower", "upper"];
             for k = 1:size(impacts, 1)

@@ -1,8 +1,9 @@
+#include "problems/carrier_track/check/first_fall.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/check/body.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "ricochet/machine.h"
 

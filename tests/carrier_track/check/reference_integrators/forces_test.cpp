@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/check/flight_method.h"
+#include "problems/carrier_track/check/method.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/impact_model.h"
 
@@ -13,6 +13,8 @@ namespace {
 
 /// Compares the forces with the accelerations of the flights that the impact model makes.
 struct AccelerationWatch : Observer {
+  explicit AccelerationWatch(const Scene& scene) : forces(scene) {}
+
   Forces forces;
   int compared = 0;
 
@@ -33,8 +35,7 @@ TEST(Forces, AreThoseOfTheImpactModel) {
   for (int i = 0; i < 100; ++i) {
     Scene scene = scenes.next();
     scene.friction = 0;  // a flight's acceleration would hold it
-    AccelerationWatch watch;
-    watch.forces = forces_of(scene);
+    AccelerationWatch watch(scene);
     ImpactModel<double>(scene).run(watch);
     compared += watch.compared;
   }
@@ -44,22 +45,43 @@ TEST(Forces, AreThoseOfTheImpactModel) {
 TEST(Forces, ChangeAtTheRateThatTheyTell) {
   RandomScenes scenes(4);
   for (int i = 0; i < 20; ++i) {
-    const Forces forces = forces_of(scenes.next());
+    const Forces forces(scenes.next());
     const double h = 1e-6;
     const double slope = (forces.applied(0.3 + h) - forces.applied(0.3 - h)) / (2 * h);
-    EXPECT_NEAR(forces.applied_rate(0.3), slope, 1e-6 * (1 + std::abs(slope)));
+    EXPECT_NEAR(forces.applied_rate(0.3, 0.3), slope, 1e-6 * (1 + std::abs(slope)));
   }
 }
 
 TEST(Forces, HaveThePeriodOfTheFastestThatActs) {
-  Forces forces;
-  forces.omega = 5;
-  forces.disturbance_frequency = 8;
-  EXPECT_EQ(forces.shortest_period(), std::numeric_limits<double>::infinity());
-  forces.turning = 1;
-  EXPECT_DOUBLE_EQ(forces.shortest_period(), 2 * std::numbers::pi / 5);
-  forces.disturbance = 1;
-  EXPECT_DOUBLE_EQ(forces.shortest_period(), 2 * std::numbers::pi / 8);
+  Scene scene;
+  scene.omega = 5;
+  scene.disturbance_frequency = 8;
+  EXPECT_EQ(Forces(scene).shortest_period(), std::numeric_limits<double>::infinity());
+  scene.slider_mass_radius = 1;
+  EXPECT_DOUBLE_EQ(Forces(scene).shortest_period(), 2 * std::numbers::pi / 5);
+  scene.disturbance = 1;
+  EXPECT_DOUBLE_EQ(Forces(scene).shortest_period(), 2 * std::numbers::pi / 8);
+}
+
+TEST(Forces, OfAProfileAreThoseOfEveryPieceContinuedBeyondItsEnds) {
+  // omega = 2, then 2 + 2 (t - 0.5) until 1.5, then 4.
+  Scene scene;
+  scene.mass = 2;
+  scene.slider_mass_radius = 0.3;
+  scene.profile = {{0.5, 2}, {1.5, 4}};
+  scene.window = Seconds{2};
+  const Forces forces(scene);
+  EXPECT_EQ(forces.smooth_until(0.2), 0.5);
+  EXPECT_EQ(forces.smooth_until(0.5), 1.5);
+  const auto force = [](double alpha, double omega, double slope) {
+    return -0.15 * (slope * std::sin(alpha) + omega * omega * std::cos(alpha));
+  };
+  const double t = 1.25, u = t - 0.5;
+  EXPECT_NEAR(forces.applied(t), force(2 * t + u * u, 2 + 2 * u, 2), 1e-14);
+  EXPECT_NEAR(forces.applied(t, 0), force(2 * t, 2, 0), 1e-14);
+  const double bound = 0.15 * (16 + 2);
+  EXPECT_NEAR(forces.strongest(), bound, 1e-12);
+  EXPECT_DOUBLE_EQ(forces.shortest_period(), 2 * std::numbers::pi / 4);
 }
 
 }  // namespace

@@ -10,15 +10,15 @@
 namespace ricochet::carrier_track {
 namespace {
 
-Integrator penalty(const std::string& name) {
-  for (const Integrator& integrator : penalty_integrators()) {
-    if (integrator.name == name) return integrator;
-  }
-  throw std::invalid_argument("no penalty method " + name);
+/// Those that take compliant walls.
+std::vector<Integrator> through_walls() {
+  std::vector<Integrator> chosen = all_integrators();
+  std::erase_if(chosen, [](const Integrator& i) { return !i.takes_compliant; });
+  return chosen;
 }
 
 bool fixed(const Integrator& integrator) {
-  return integrator.control == "step [s]";
+  return integrator.setting == "step [s]";
 }
 
 /// 1 kg at 1 m/s towards a wall at 0 of 1 N/m^n, 0.3 m away; nothing else acts.
@@ -64,23 +64,45 @@ Scene resting_body(ContactLaw law, double stiffness) {
 
 TEST(Penalty, MethodsAreListedOnceTheReferenceFirst) {
   std::vector<std::string> names;
-  for (const Integrator& integrator : penalty_integrators()) names.push_back(integrator.name);
+  for (const Integrator& integrator : through_walls()) names.push_back(integrator.name);
   EXPECT_THAT(names, testing::ElementsAre("event-driven", "odeint-dopri5", "odeint-rosenbrock4",
                                           "cvode-adams", "cvode-bdf", "semi-implicit-euler",
                                           "runge-kutta-4"));
 }
 
-TEST(Penalty, MethodsRefuseHardWallsAndFriction) {
+TEST(Penalty, MethodsRefuseFrictionAndTheOthersCompliantWalls) {
   Scene rough = compliant_gap();
   rough.friction = 0.1;
   rough.normal_force = 1;
-  for (const Integrator& integrator : penalty_integrators()) {
-    if (integrator.control == "none") continue;
-    const Outcome hard = integrator.run(shaken_gap(), 1e-3);
-    EXPECT_FALSE(hard.finished);
-    EXPECT_EQ(hard.failure, "penalty methods need compliant walls");
-    EXPECT_EQ(integrator.run(rough, 1e-3).failure, "penalty methods here have no friction");
-    EXPECT_EQ(integrator.run(compliant_gap(), 1e-5).failure, "");
+  for (const Integrator& integrator : all_integrators()) {
+    if (integrator.setting == no_setting) continue;
+    const Outcome outcome = integrator.run(rough, 1e-3);
+    EXPECT_FALSE(outcome.finished);
+    EXPECT_EQ(outcome.failure, integrator.takes_compliant
+                                   ? "through compliant walls there is no friction here"
+                                   : "the walls must be hard");
+    EXPECT_EQ(integrator.run(compliant_gap(), 1e-5).finished, integrator.takes_compliant);
+  }
+}
+
+TEST(Penalty, SpringsForHardWallsConvergeToThem) {
+  for (const double friction : {0.0, 0.5}) {
+    Scene scene = shaken_gap();
+    scene.window = Seconds{0.5};
+    scene.friction = friction;
+    scene.normal_force = 0.1;
+    const Outcome true_values = reference(scene);
+    ASSERT_GE(true_values.impacts.size(), 8U);
+    double last = infinity;
+    for (const double depth : {1e-2, 1e-3, 1e-4}) {
+      const Outcome outcome = run(find_integrator("penalty"), scene, depth);
+      const Accuracy accuracy = compare(scene, outcome, true_values);
+      EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << depth;
+      EXPECT_LT(accuracy.impact_time_error.value_or(infinity), 0.5 * last) << depth;
+      last = accuracy.impact_time_error.value_or(infinity);
+      EXPECT_GT(outcome.deepest, 0);
+      EXPECT_LT(outcome.deepest, depth * scene.wall_upper);
+    }
   }
 }
 
@@ -89,7 +111,7 @@ TEST(Penalty, MethodsReturnTheRestitutionOfEveryLaw) {
                                ContactLaw::hunt_crossley, ContactLaw::exact_restitution}) {
     const bool viscous = law == ContactLaw::kelvin_voigt;
     const double expected = viscous ? 0.5 : returned_restitution(dissipation(law, 0.5));
-    for (const Integrator& integrator : penalty_integrators()) {
+    for (const Integrator& integrator : through_walls()) {
       const Outcome outcome =
           run(integrator, one_impact(law, viscous ? 1 : 1.5, 0.5), fixed(integrator) ? 1e-4 : 1e-9);
       // Of an adaptive method: a hundred steps, each with the tolerance times the gap's 100 m.
@@ -105,7 +127,7 @@ TEST(Penalty, MethodsReturnTheRestitutionOfEveryLaw) {
 
 TEST(Penalty, MethodsSeeHowDeepTheBodyGoes) {
   // 1.25^(2/5) m for Hertz.
-  for (const Integrator& integrator : penalty_integrators()) {
+  for (const Integrator& integrator : through_walls()) {
     if (!fixed(integrator)) continue;
     const Outcome outcome = run(integrator, one_impact(ContactLaw::hertz, 1.5, 1), 1e-4);
     EXPECT_NEAR(outcome.deepest, std::pow(1.25, 0.4), 1e-4) << integrator.name;
@@ -115,7 +137,7 @@ TEST(Penalty, MethodsSeeHowDeepTheBodyGoes) {
 TEST(Penalty, DampingIsScaledWithTheSpeedOfEveryImpactOrWithOne) {
   // At a tenth of contact_speed a wall returns what a tenth of the damping does.
   Scene scene = one_impact(ContactLaw::exact_restitution, 1.5, 0.5);
-  for (const Integrator& integrator : penalty_integrators()) {
+  for (const Integrator& integrator : through_walls()) {
     const double control = fixed(integrator) ? 1e-4 : 1e-9;
     scene.contact_speed.reset();
     EXPECT_NEAR(run(integrator, scene, control).end.velocity, 0.5, 1e-4) << integrator.name;
@@ -128,10 +150,10 @@ TEST(Penalty, DampingIsScaledWithTheSpeedOfEveryImpactOrWithOne) {
 
 TEST(Penalty, MethodsConvergeToTheCompliantModelInAShakenGap) {
   const Scene scene = compliant_gap();
-  const Outcome true_values = run(penalty_integrators().front(), scene, 0);
+  const Outcome true_values = run(through_walls().front(), scene, 0);
   ASSERT_GE(true_values.impacts.size(), 8U);
-  for (const Integrator& integrator : penalty_integrators()) {
-    if (integrator.control == "none") continue;
+  for (const Integrator& integrator : through_walls()) {
+    if (integrator.setting == "none") continue;
     const double loose = fixed(integrator) ? 1e-5 : 1e-7;
     const auto error = [&](double control) {
       const Accuracy accuracy = compare(scene, run(integrator, scene, control), true_values);
@@ -147,7 +169,7 @@ TEST(Penalty, MethodsConvergeToTheCompliantModelInAShakenGap) {
 TEST(Penalty, MethodsEndWithAReasonWhateverTheControl) {
   Scene scene = compliant_gap();
   scene.stiffness = 1e16;
-  for (const Integrator& integrator : penalty_integrators()) {
+  for (const Integrator& integrator : through_walls()) {
     for (const double control : {1e-30, 1e-2, 1.0}) {
       const Outcome outcome = integrator.run(scene, control);
       EXPECT_NE(outcome.finished, !outcome.failure.empty()) << integrator.name << " " << control;
@@ -161,7 +183,7 @@ TEST(Penalty, StepsThatTheWallThrowsOutAreToldAsSuch) {
   Scene scene = compliant_gap();
   scene.stiffness = 1e16;
   for (const char* name : {"semi-implicit-euler", "runge-kutta-4"}) {
-    const Outcome outcome = penalty(name).run(scene, 1e-3);
+    const Outcome outcome = find_integrator(name).run(scene, 1e-3);
     EXPECT_FALSE(outcome.finished);
     EXPECT_EQ(outcome.failure, "the body has left the walls by more than the gap");
     EXPECT_EQ(outcome.deepest, infinity);
@@ -184,9 +206,10 @@ Scene pressed_slowly() {
 void expect_bound_on_a_spring(const char* name, const std::vector<double>& stable,
                               double unstable) {
   for (const double step : stable) {
-    EXPECT_NEAR(run(penalty(name), pressed_slowly(), step).deepest, 2, 0.01) << name << " " << step;
+    EXPECT_NEAR(run(find_integrator(name), pressed_slowly(), step).deepest, 2, 0.01)
+        << name << " " << step;
   }
-  EXPECT_GT(penalty(name).run(pressed_slowly(), unstable).deepest, 10) << name;
+  EXPECT_GT(find_integrator(name).run(pressed_slowly(), unstable).deepest, 10) << name;
 }
 
 TEST(Penalty, SemiImplicitEulerStaysOnASpringUpToTwo) {
@@ -202,12 +225,12 @@ TEST(Penalty, RungeKutta4GivesABouncingBodyEnergyAtThreeAndAHalfAndNotAtOne) {
   scene.window = Seconds{35};
   for (int i = 0; i < 50; ++i) {
     scene.start_position = 0.3 + 0.02 * i;
-    EXPECT_LT(*run(penalty("runge-kutta-4"), scene, 1.0).gained, 0) << i;
+    EXPECT_LT(*run(find_integrator("runge-kutta-4"), scene, 1.0).gained, 0) << i;
   }
   int gains = 0;
   for (int i = 0; i < 50; ++i) {
     scene.start_position = 0.3 + 0.07 * i;
-    const Outcome outcome = penalty("runge-kutta-4").run(scene, 3.5);
+    const Outcome outcome = find_integrator("runge-kutta-4").run(scene, 3.5);
     gains += outcome.gained.value_or(0) > 0 || !outcome.finished;
   }
   EXPECT_GT(gains, 10);
@@ -220,7 +243,7 @@ TEST(Penalty, SemiImplicitEulerThrowsABodyOutOfALinearWallByTheClosedForm) {
   const double h = 1.8, u = 0.9;
   scene.start_position = 2 * h - u * h;
   scene.window = Seconds{20 * h};
-  const Outcome outcome = run(penalty("semi-implicit-euler"), scene, h);
+  const Outcome outcome = run(find_integrator("semi-implicit-euler"), scene, h);
   EXPECT_NEAR(outcome.end.velocity, h * h * u - 1, 1e-12);
   EXPECT_NEAR(*outcome.gained, h * h * u - 2, 1e-12);
   EXPECT_NEAR(outcome.deepest, u * h, 1e-12);
@@ -231,7 +254,7 @@ TEST(Penalty, ExplicitErrorControlPaysForRestOnAStiffWall) {
   // 21.5 times the steps for a method that is bound by stability.
   const auto evaluations = [](const char* name, double stiffness) {
     const Outcome outcome =
-        run(penalty(name), resting_body(ContactLaw::exact_restitution, stiffness), 1e-6);
+        run(find_integrator(name), resting_body(ContactLaw::exact_restitution, stiffness), 1e-6);
     return static_cast<double>(outcome.force_evaluations);
   };
   const double growth = evaluations("odeint-dopri5", 1e14) / evaluations("odeint-dopri5", 1e10);
@@ -244,7 +267,7 @@ TEST(Penalty, OnlyTheRosenbrockMethodSettlesToRoundingOnAStiffWall) {
   const Scene scene = resting_body(ContactLaw::exact_restitution, 1e14);
   const double depth = std::pow(10 / 1e14, 2.0 / 3);
   const auto error = [&](const char* name) {
-    return std::abs(-run(penalty(name), scene, 1e-6).end.position / depth - 1);
+    return std::abs(-run(find_integrator(name), scene, 1e-6).end.position / depth - 1);
   };
   EXPECT_LT(error("event-driven"), 1e-9);
   EXPECT_LT(error("odeint-rosenbrock4"), 1e-9);
@@ -254,8 +277,8 @@ TEST(Penalty, OnlyTheRosenbrockMethodSettlesToRoundingOnAStiffWall) {
 TEST(Penalty, BdfRestsInAStiffViscousWallForMuchLessThanAdams) {
   // w = 3.2e6 1/s: explicit and fixed-point iterations must follow it for ever.
   const Scene scene = resting_body(ContactLaw::kelvin_voigt, 1e13);
-  const Outcome bdf = run(penalty("cvode-bdf"), scene, 1e-6);
-  const Outcome adams = penalty("cvode-adams").run(scene, 1e-6);
+  const Outcome bdf = run(find_integrator("cvode-bdf"), scene, 1e-6);
+  const Outcome adams = find_integrator("cvode-adams").run(scene, 1e-6);
   EXPECT_LT(20 * bdf.force_evaluations, adams.force_evaluations);
 }
 

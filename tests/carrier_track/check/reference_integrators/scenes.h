@@ -27,7 +27,7 @@ inline Integrator find_integrator(const std::string& name) {
 inline std::vector<Integrator> integrators_by(const std::string& control) {
   std::vector<Integrator> chosen;
   for (const Integrator& integrator : all_integrators()) {
-    if (integrator.control == control) chosen.push_back(integrator);
+    if (integrator.setting == control) chosen.push_back(integrator);
   }
   return chosen;
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "problems/carrier_track/check/flight_method.h"
+#include "problems/carrier_track/check/method.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/scene.h"
 
@@ -40,6 +40,13 @@ TEST(WallForce, OfKelvinAndVoigtNeverPulls) {
   EXPECT_NEAR(wall({-0.01, -1}), 300 / 0.8 * 0.01 + damping, 1e-12);
   EXPECT_GT(damping, 300 / 0.8 * 0.01);
   EXPECT_EQ(wall({-0.01, +1}), 0);
+}
+
+TEST(WallForce, PullsWhereItMay) {
+  WallForce wall = wall_force_of(compliant(ContactLaw::kelvin_voigt, 1));
+  wall.pulls = true;
+  EXPECT_NEAR(wall({-0.01, +1}), 300 / 0.8 * 0.01 - wall.lower_damping, 1e-12);
+  EXPECT_EQ(wall.slopes({-0.01, +1}).by_velocity, -wall.lower_damping);
 }
 
 TEST(WallForce, HasTheSlopesOfItsDifferences) {

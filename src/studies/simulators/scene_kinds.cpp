@@ -232,9 +232,9 @@ DrawnScene profiles(Draw& draw, int difficulty) {
 }
 
 /// In the order of scene_kinds().
-constexpr std::array draws = {
-    bouncing,          chattering,   grazing,      sticking, friction_limit,
-    near_simultaneous, slow_forcing, fast_forcing, elastic,  plastic};
+constexpr std::array draws = {bouncing,       chattering,        grazing,      sticking,
+                              friction_limit, near_simultaneous, slow_forcing, fast_forcing,
+                              elastic,        plastic,           profiles};
 
 }  // namespace
 

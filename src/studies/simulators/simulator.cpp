@@ -168,7 +168,7 @@ std::vector<Simulator> own_simulators() {
     one.tool.kind = method.kind;
     for (const Level level : all_levels) {
       const auto k = static_cast<std::size_t>(level);
-      one.tool.levels[k] = fmt::format("{} {:.0e}", method.setting, method.levels[k]);
+      one.tool.levels[k] = fmt::format("{} {:.3g}", method.setting, method.levels[k]);
     }
   }
   return all;

@@ -5,7 +5,7 @@
 namespace ricochet::studies::simulators {
 namespace {
 
-Simulator named(const std::string& name) {
+Simulator own_simulator(const std::string& name) {
   for (Simulator& one : own_simulators())
     if (one.tool.name == name) return std::move(one);
   throw std::invalid_argument(name);
@@ -28,7 +28,7 @@ TEST(OwnSimulators, AreTheLevelsOfTheModelAndTheMethods) {
 
 TEST(OwnSimulators, HardWallsLoseNothing) {
   for (const char* name : {"ricochet", "planar"}) {
-    const Ask ask = named(name).open(Level::usual);
+    const Ask ask = own_simulator(name).open(Level::usual);
     for (int k = 0; k < 88; ++k) {
       const ScoredScene scored = drawn_scene(7, k);
       const Score score = score_of(ask(scored), scored);
@@ -43,7 +43,7 @@ TEST(OwnSimulators, HardWallsLoseNothing) {
 /// Impacts that a simulator loses in 44 scenes.
 Tally tally_at(const char* name, Level level) {
   std::vector<Score> scores;
-  const Ask ask = named(name).open(level);
+  const Ask ask = own_simulator(name).open(level);
   for (int k = 0; k < 44; ++k) {
     const ScoredScene scored = drawn_scene(7, k);
     scores.push_back(score_of(ask(scored), scored));
@@ -63,7 +63,7 @@ TEST(OwnSimulators, ComeNearerWithATighterSetting) {
 }
 
 TEST(OwnSimulators, OfAScanHaveTheImpactsOfTheScene) {
-  const Ask ask = named("ricochet-scan").open(Level::usual);
+  const Ask ask = own_simulator("ricochet-scan").open(Level::usual);
   const ScoredScene scored = drawn_scene(7, 0);
   EXPECT_EQ(score_of(ask(scored), scored).wrong(), 0);
   EXPECT_EQ(ask(drawn_scene(7, 10)).ending, Ending::cannot) << "it has a speed profile";
@@ -72,7 +72,7 @@ TEST(OwnSimulators, OfAScanHaveTheImpactsOfTheScene) {
 TEST(OwnSimulators, SayWhatTheyCannotDo) {
   ScoredScene plastic = drawn_scene(7, 9);
   plastic.machine.restitution_lower = plastic.machine.restitution_upper = 0;
-  EXPECT_EQ(named("exact-restitution").open(Level::usual)(plastic).ending, Ending::cannot);
+  EXPECT_EQ(own_simulator("exact-restitution").open(Level::usual)(plastic).ending, Ending::cannot);
 }
 
 }  // namespace

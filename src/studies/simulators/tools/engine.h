@@ -1,5 +1,5 @@
 // What the drivers in C++ share, of engines that advance by steps: they read scenes, a JSON object
-// a line, and write impacts, as docs/impact-test.md says. A driver is one source file with a World:
+// a line, and write impacts, as docs/simulators.md says. A driver is one source file with a World:
 // made by World(scene, step, threshold), it has step(force), position() and velocity(), and treats
 // a contact slower than the threshold as one without restitution.
 #pragma once

@@ -1,4 +1,4 @@
-"""What the drivers in Python of the impact test share: the loop over scenes, and the motion between
+"""What the drivers in Python share: the loop over scenes, and the motion between
 events.
 
 A driver ends with `tool.run(simulate)`; simulate(scene, call) returns a Result.

@@ -1,4 +1,4 @@
-// What drivers in Scilab of the impact test share: tool() answers all scenes of the standard input
+// What drivers in Scilab share: tool() answers all scenes of the standard input
 // by [impacts, last] = simulate(scene, level), with a row [time s, wall 1 or 2, speed m/s] for each
 // impact, the last [m, m/s], and level 1 (loose), 2 or 3 (tight). A missing upper wall is at %inf.
 

@@ -95,7 +95,7 @@ install(FILES include/ricochet/ricochet.h DESTINATION ${CMAKE_INSTALL_DOCDIR}/in
         COMPONENT ricochet)
 install(DIRECTORY reports/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports COMPONENT ricochet
         FILES_MATCHING PATTERN *.md PATTERN *.svg)
-install(DIRECTORY src/studies/impact_test/tools/ DESTINATION share/ricochet/impact_test COMPONENT ricochet)
+install(DIRECTORY src/studies/simulators/tools/ DESTINATION share/ricochet/simulators COMPONENT ricochet)
 install(FILES reports/archive/reference.archive DESTINATION share/ricochet COMPONENT ricochet)
 
 # The manual and the completions, made of the one description of the commands.

@@ -1,4 +1,4 @@
-"""A tool for `ricochet impact-test`: semi-implicit Euler, 20,000 steps a scene."""
+"""A tool for `ricochet simulators`: semi-implicit Euler, 20,000 steps a scene."""
 import json, math, sys, time
 
 for line in sys.stdin:

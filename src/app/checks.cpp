@@ -17,7 +17,7 @@
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "src/report/table.h"
-#include "src/studies/impact_test/results.h"
+#include "src/studies/simulators/study.h"
 #include "src/studies/verification/verification.h"
 
 namespace ricochet::cli {
@@ -105,10 +105,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using namespace studies::impact_test;
+using namespace studies::simulators;
 
-struct ImpactTestOptions {
-  int scenes = 10'000;
+struct SimulatorsOptions {
+  int scenes = studies::simulators::Plan().scenes;
   int seed = 1;
   std::string tools = "all";           ///< names or patterns, separated by commas; or none
   std::vector<std::string> own_tools;  ///< NAME=COMMAND each
@@ -121,8 +121,8 @@ struct ImpactTestOptions {
 /// The tools that come with ricochet.
 std::vector<Tool> known_tools() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  constexpr std::array places = {"../share/ricochet/impact_test/tools.toml",
-                                 "../../../../src/studies/impact_test/tools/tools.toml"};
+  constexpr std::array places = {"../share/ricochet/simulators/tools.toml",
+                                 "../../../../src/studies/simulators/tools/tools.toml"};
   for (const char* place : places) {
     const fs::path file = (program / place).lexically_normal();
     if (fs::exists(file)) return tools_in(file);
@@ -131,7 +131,7 @@ std::vector<Tool> known_tools() {
                                (program / places.front()).lexically_normal().string()));
 }
 
-std::vector<Tool> chosen_tools(const ImpactTestOptions& options) {
+std::vector<Tool> chosen_tools(const SimulatorsOptions& options) {
   std::vector<Tool> tools;
   if (options.tools != "none") tools = known_tools();
   if (options.tools != "none" && options.tools != "all") {
@@ -149,24 +149,19 @@ std::vector<Tool> chosen_tools(const ImpactTestOptions& options) {
   return tools;
 }
 
-studies::impact_test::Level level_named(const std::string& name) {
+studies::simulators::Level level_named(const std::string& name) {
   std::vector<std::string> names;
-  for (const studies::impact_test::Level level : all_levels) {
+  for (const studies::simulators::Level level : all_levels) {
     names.push_back(name_of(level));
     if (names.back() == name) return level;
   }
   throw InputError(fmt::format("--levels {}: {}", name, what_instead(name, names)));
 }
 
-fs::path drivers_of(const StudyOptions& study) {
-  return fs::path(study.out) / "drivers";
-}
-
 /// Throws InputError for an unknown tool or level.
-studies::impact_test::Plan plan_of(const ImpactTestOptions& options, const StudyOptions& study) {
-  studies::impact_test::Plan plan{options.seed,          options.scenes, {},
-                                  chosen_tools(options), false,          study.out};
-  plan.needs_all = options.tools != "all";
+studies::simulators::Plan plan_of(const SimulatorsOptions& options, const StudyOptions& study) {
+  studies::simulators::Plan plan{options.seed,          options.scenes,         {},
+                                 chosen_tools(options), options.tools != "all", study.out};
   for (const std::string& name : split_patterns(options.levels)) {
     plan.levels.push_back(level_named(name));
   }
@@ -176,9 +171,9 @@ studies::impact_test::Plan plan_of(const ImpactTestOptions& options, const Study
   return plan;
 }
 
-int impact_test(const ImpactTestOptions& options, const StudyOptions& study) {
+int compare_simulators(const SimulatorsOptions& options, const StudyOptions& study) {
   studies::Finished finished =
-      studies::run(studies::impact_test_study(plan_of(options, study)), study.quick, study.out);
+      studies::run(studies::simulators_study(plan_of(options, study)), study.quick, study.out);
   if (options.json) {
     for (const char* key : {"report", "made"}) finished.data.erase(key);
     fmt::print("{}\n", finished.data.dump(2));
@@ -189,52 +184,46 @@ int impact_test(const ImpactTestOptions& options, const StudyOptions& study) {
   return finished.data["values"]["lost"] == 0 ? 0 : 1;
 }
 
-int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {
+int list_tools(const SimulatorsOptions& options, const StudyOptions& study) {
   Table table{"tools",
               {{"tool"}, {"title"}, {"kind"}, {"version"}, {"reason", "why it is missing"}}};
   for (const Tool& tool : chosen_tools(options)) {
-    const auto [program, reason] = found_tool(tool, drivers_of(study));
-    table.add(tool.name, tool.title, tool.kind,
-              value_of(program, [](const auto& p) { return p.version; }),
-              program ? Value() : Value(reason));
+    const FoundTool found = found_tool(tool, fs::path(study.out) / "drivers");
+    const bool there = found.reason.empty();
+    table.add(tool.name, tool.title, tool.kind, there ? value_of(found.version) : Value(),
+              there ? Value() : value_of(found.reason));
   }
   print_table(options.json ? table : only(table, {"tool", "title", "version", "reason"}),
               options.json);
   return 0;
 }
 
-int install_tools(const ImpactTestOptions& options, const StudyOptions& study) {
-  fs::create_directories(drivers_of(study));
-  install(chosen_tools(options));
-  return list_tools(options, study);
-}
-
 }  // namespace
 
-void add_impact_test(CommandLine& line) {
+void add_simulators(CommandLine& line) {
   CLI::App* command =
-      line.add("impact-test", summary_of("impact-test"),
-               "  ricochet impact-test --quick\n"
-               "  ricochet impact-test --tools none --tool mine=./my-simulator --levels usual\n"
-               "  ricochet impact-test --tools 'odeint*,scipy*' --install-tools");
-  const auto options = std::make_shared<ImpactTestOptions>();
+      line.add("simulators", summary_of("simulators"),
+               "  ricochet simulators --quick\n"
+               "  ricochet simulators --tools none --tool mine=./my-simulator --levels usual\n"
+               "  ricochet simulators --tools 'scipy*,ode' --install-tools");
+  const auto options = std::make_shared<SimulatorsOptions>();
   add_value(command, "--scenes", options->scenes, "Number of scenes");
   add_value(command, "--seed", options->seed, "Seed of the scenes");
   add_value(command, "--tools", options->tools,
-            "Names or patterns such as 'odeint*', all that are installed, or none");
+            "Names or patterns such as 'scipy*', all that are installed, or none");
   add_value(command, "--tool", options->own_tools,
-            "A program of your own, too; docs/impact-test.md says what it reads and writes",
+            "A program of your own, too; docs/simulators.md says what it reads and writes",
             "NAME=COMMAND");
   add_value(command, "--levels", options->levels, "How exactly tools are asked to simulate");
   command->add_flag("--list-tools", options->list, "Instead: list the tools");
   command->add_flag("--install-tools", options->install,
-                    "Instead: install the tools from Debian and Python's registry, and list them");
+                    "Instead: install the tools from Debian, and list them");
   add_format(command, options->json);
-  const auto study = add_study_options(command, studies::impact_test_study({}));
+  const auto study = add_study_options(command, studies::simulators_study({}));
   line.on_call(command, [options, study] {
-    if (options->install) return install_tools(*options, *study);
-    if (options->list) return list_tools(*options, *study);
-    return impact_test(*options, *study);
+    if (options->install) install(chosen_tools(*options));
+    if (options->install || options->list) return list_tools(*options, *study);
+    return compare_simulators(*options, *study);
   });
 }
 

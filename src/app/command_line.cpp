@@ -273,6 +273,8 @@ std::pair<const CLI::App*, std::string> CommandLine::called() const {
 /// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
   if (names_no_command()) {
+    if (first_ == "dynamics" || first_ == "impact-test")
+      return fmt::format("{} is now `simulators`, which has both", first_);
     return fmt::format("{} is no command; {}", first_,
                        what_instead(first_, names_of(app_.get_subcommands(nullptr))));
   }

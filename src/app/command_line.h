@@ -148,7 +148,7 @@ void add_sample(CommandLine& line, CLI::App* plan);
 /// The commands of ricochet-studies that are more than a study, in studies_main.cpp and checks.cpp.
 void add_calibrate(CommandLine& line);
 void add_verify(CommandLine& line);
-void add_impact_test(CommandLine& line);
+void add_simulators(CommandLine& line);
 void add_best_values(CommandLine& line);
 
 /// Returns the output of --version: version, commit, compiler, and the linked libraries.

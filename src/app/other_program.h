@@ -26,16 +26,14 @@ inline constexpr OtherCommand reproduction = {
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
      "Fit the unknown parameters to the paper's thresholds, as a report", "paper"},
-    {"dynamics", "ricochet-studies",
-     "Contact laws, time integration, hard and compliant walls, as a report", "paper"},
     {"surrogate", "ricochet-studies",
      "Where the surrogate and its gradient can be trusted, as a report", "paper"},
     {"fireworks", "ricochet-studies",
      "The fireworks family compared with published results, as a report", "paper"},
     {"verify", "ricochet-studies", "Check the impact model against an oracle in extended precision",
      "suite"},
-    {"impact-test", "ricochet-studies", "Measure how many impacts simulators lose, as a report",
-     "suite"},
+    {"simulators", "ricochet-studies",
+     "Simulators and models compared: speed, accuracy, what is lost, as a report", "suite"},
     {"best-values", "ricochet-studies", "Search the best known value of every problem", "suite"},
     {"bench", "ricochet-bench", "Measure speed; takes Google Benchmark's flags, too", "suite"},
 };

@@ -16,7 +16,6 @@
 #include "src/core/names.h"
 #include "src/studies/best_values/best_values.h"
 #include "src/studies/calibration/study.h"
-#include "src/studies/dynamics/study.h"
 #include "src/studies/fireworks/study.h"
 #include "src/studies/paper/loss.h"
 #include "src/studies/suite/suite.h"
@@ -47,11 +46,10 @@ int main(int argc, char** argv) {
   using namespace ricochet::cli;
   CommandLine line;
   add_calibrate(line);
-  add_study(line, "dynamics", studies::dynamics_study, "  ricochet dynamics --quick");
   add_study(line, "surrogate", studies::surrogate_study, "  ricochet surrogate --quick");
   add_study(line, "fireworks", studies::fireworks_study, "  ricochet fireworks --quick");
   add_verify(line);
-  add_impact_test(line);
+  add_simulators(line);
   add_best_values(line);
   line.add_description();
   return line.run(argc, argv);

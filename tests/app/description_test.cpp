@@ -89,7 +89,7 @@ TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
 TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {
   for (const char* command : {"reproduce", "simulate", "threshold", "scene", "evaluate", "export",
                               "solve", "compare", "list", "report", "machine", "calibrate",
-                              "dynamics", "surrogate", "fireworks", "verify", "best-values"}) {
+                              "simulators", "surrogate", "fireworks", "verify", "best-values"}) {
     EXPECT_THAT(call(std::string(command) + " --help").out,
                 AllOf(HasSubstr(std::string("Usage: ricochet ") + command),
                       HasSubstr(std::string("Examples:\n  ricochet ") + command),

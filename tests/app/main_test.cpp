@@ -18,7 +18,7 @@ TEST(Main, NamesEveryCommandInItsHelp) {
   const Outcome help = call("--help");
   EXPECT_EQ(help.exit_code, 0);
   for (const char* command :
-       {"reproduce", "dynamics", "simulate", "threshold", "machine", "scene", "evaluate", "list"}) {
+       {"reproduce", "simulators", "simulate", "threshold", "machine", "scene", "evaluate", "list"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_EQ(call(std::string(command) + " --help").exit_code, 0) << command;
   }

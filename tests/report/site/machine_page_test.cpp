@@ -39,14 +39,14 @@ FoundReport reproduction() {
   return report;
 }
 
-FoundReport dynamics() {
+FoundReport simulators() {
   report::Results results;
   results.set("walls", "Soft walls agree seldom.");
   results.set("planar", "The second direction changes none.");
   ricochet::Table walls{"walls", {{"stiffness"}, {"share"}, {"compared"}}};
   walls.add("1e10", 0.2916, 72);
   results.add(std::move(walls));
-  FoundReport report = made_up("dynamics", json_of(results), "dynamics");
+  FoundReport report = made_up("simulators", json_of(results), "simulators");
   report.results = std::move(results);
   return report;
 }
@@ -68,7 +68,7 @@ TEST(MachinePage, HasTheSpeedsOfTheLongRun) {
 
 TEST(MachinePage, SaysHowTheLevelsOfTheModelDiffer) {
   EXPECT_THAT(
-      page_of({dynamics()}),
+      page_of({simulators()}),
       AllOf(HasSubstr("If walls give, yes. Soft walls agree seldom."),
             HasSubstr("| 1e10 | 29 | 72 |"), HasSubstr("The second direction changes none."),
             Not(HasSubstr("## The paper's"))));
@@ -96,7 +96,7 @@ TEST(RegimesChart, HasAColumnForEachMachineAndThePapersThresholds) {
 TEST(MachinePage, ReadsTheReference) {
   const report::Results site =
       site_results(found_reports(std::filesystem::path(RICOCHET_SOURCE) / "reports/reference"));
-  const ricochet::Table* walls = site.table("dynamics-walls");
+  const ricochet::Table* walls = site.table("simulators-walls");
   ASSERT_TRUE(walls);
   ASSERT_GT(walls->rows.size(), 1U);
   EXPECT_LT((*walls)[0].number("share"), 0.5);

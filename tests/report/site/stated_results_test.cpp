@@ -263,7 +263,7 @@ void state_results(const std::string& file, Prose& document) {
     EXPECT_EQ(all.number("wrong_uncertain"), 2'548);
     document.states(fmt::format(
         "a \"restitution of 0.1\" really returns {:.3f}",
-        Committed("dynamics").row("restitution", "hunt-crossley").number("of_a_tenth")));
+        Committed("simulators").row("restitution", "hunt-crossley").number("of_a_tenth")));
     document.states(
         fmt::format("a window of {:.2f} turns",
                     Committed("reproduction").row("parameters", "revolutions").number("value")));
@@ -295,11 +295,11 @@ TEST(StatedResults, OfTheFrontPageAndItsLikeAreFilledIn) {
 TEST(StatedResults, OfHowLongCommandsTakeAreThoseOfTheReports) {
   Prose reports = part_of("docs/reports.md", "| command | report |", "| `run full` |");
   for (const auto& [command, folder] :
-       {std::pair{"reproduce", "reproduction"}, std::pair{"dynamics", "dynamics"},
+       {std::pair{"reproduce", "reproduction"},
         std::pair{"surrogate", "surrogate"},
         std::pair{"calibrate --all-interpretations --converge", "calibration"},
         std::pair{"fireworks", "fireworks"}, std::pair{"verify", "verification"},
-        std::pair{"impact-test", "impact-test"}}) {
+        std::pair{"simulators", "simulators"}}) {
     const double seconds = Committed(folder).value("made.seconds");
     reports.states(fmt::format("/{}/summary.md) | {} |", folder,
                                seconds < 100 ? fmt::format("{:.0f} s", seconds)
@@ -365,7 +365,7 @@ const std::vector<std::string>& definitions(const std::string& file) {
       {"docs/identify.md",
        {"5 % are missing, 5 % are spurious", "a factor of 1.5 may be wrong",
         "+- 0.05 rad or 3 degrees", "and 1 % of all", "speeds of up to 2 % is fitted"}},
-      {"docs/impact-test.md",
+      {"docs/simulators.md",
        {"friction is 50 % to 0.5 % below", "turns with 1 to 0.02 rad/s", "is 0.3 to 1e-4",
         "by 1 % of the mean time", "more than 1 % of the mean time apart", "more than 1 % off"}},
       {"docs/machine-files.md",

@@ -72,10 +72,11 @@ void add_calibrate(CommandLine& line) {
       "agree");
   add_value(command, "--seed", options->seed, "Seed of the searches");
   add_value(command, "--solver", options->solver, "Solver that searches within the bounds");
-  const auto study = add_study_options(command, studies::calibration_study(*options));
+  const auto study = add_study_options(command, studies::calibration_study(*options, {}));
   line.on_call(command, [options, study] {
     options->folder = study->out;
-    tell(studies::run(studies::calibration_study(*options), study->quick, study->out));
+    tell(
+        studies::run(studies::calibration_study(*options, provenance()), study->quick, study->out));
     return 0;
   });
 }

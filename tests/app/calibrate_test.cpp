@@ -19,19 +19,11 @@ TEST(Calibrate, RefusesWhatItDoesNotKnowBeforeItWorks) {
   EXPECT_EQ(read(file), "mine");
 }
 
-TEST(Calibrate, RefusesFitsOfAnotherVersion) {
-  const auto folder = fresh_folder();
-  write(folder, "fits.toml", "[[fit]]\nkey = 'of version 1'\n");
-  expect_refusal("calibrate --quick --out " + folder.string(),
-                 "fits.toml: its fits are of version 1");
-  EXPECT_EQ(read(folder / "fits.toml"), "[[fit]]\nkey = 'of version 1'\n");
-}
-
 TEST(Calibrate, RefusesToGoOnFromAFileOfSomethingElse) {
   const auto folder = fresh_folder();
-  write(folder, "fits.toml", "[scene]\n");
-  expect_refusal("calibrate --quick --out " + folder.string(), "fits.toml");
-  EXPECT_EQ(read(folder / "fits.toml"), "[scene]\n");
+  write(folder, "runs.sqlite", "mine");
+  expect_refusal("calibrate --quick --out " + folder.string(), "runs.sqlite");
+  EXPECT_EQ(read(folder / "runs.sqlite"), "mine");
 }
 
 }  // namespace

@@ -25,19 +25,17 @@ double square(double x) {
 
 }  // namespace
 
-CountAt counts_of(const Case& a_case, const Interpretation& interpretation,
-                  const Constants& constants) {
-  return [&, scene = scene_of(a_case, interpretation, constants)](double omega) {
-    return static_cast<int>(objective(scene_at(scene, interpretation, constants, omega), 0.0));
+CaseAppraisal appraise(const Parameterisation& fit, const Case& a_case, double step) {
+  const Scene scene = scene_of(a_case, fit.interpretation, fit.constants);
+  const CountAt count = [&](double omega) {
+    return static_cast<int>(
+        objective(scene_at(scene, fit.interpretation, fit.constants, omega), 0.0));
   };
-}
-
-SpeedScan scan_of(const Case& a_case, const Interpretation& interpretation,
-                  const Constants& constants, double step) {
-  if (interpretation.transition == Transition::plain) {
-    return scan_speeds(scene_of(a_case, interpretation, constants), step, fastest_speed);
-  }
-  return scan_speeds(counts_of(a_case, interpretation, constants), step, fastest_speed);
+  const bool in_lanes = fit.interpretation.transition == Transition::plain;
+  SpeedScan scan =
+      in_lanes ? scan_speeds(scene, step, fastest_speed) : scan_speeds(count, step, fastest_speed);
+  Score result = score(count, a_case.claim, scan, 1);
+  return {a_case, std::move(scan), std::move(result)};
 }
 
 double selection_criterion(double sum_of_squares, int errors, int constants) {
@@ -47,26 +45,12 @@ double selection_criterion(double sum_of_squares, int errors, int constants) {
   return errors * std::log(mean) + 2.0 * p + 2.0 * p * (p + 1) / (errors - p - 1);
 }
 
-namespace {
-
-/// Evaluates all cases by evenly spaced speeds, in parallel.
-std::vector<CaseAppraisal> judged_cases(const Fit& fit, double step) {
-  const std::vector<Case> cases = all_cases();
-  std::vector<CaseAppraisal> judged(cases.size());
-  tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
-    SpeedScan scan = scan_of(cases[i], fit.interpretation, fit.constants, step);
-    Score result =
-        score(counts_of(cases[i], fit.interpretation, fit.constants), cases[i].claim, scan, 1);
-    judged[i] = {cases[i], std::move(scan), std::move(result)};
-  });
-  return judged;
-}
-
-}  // namespace
-
-Appraisal appraise(const Fit& fit, double step) {
+Appraisal appraise(const Parameterisation& fit, double step) {
   Appraisal result;
-  result.cases = judged_cases(fit, step);
+  const std::vector<Case> cases = all_cases();
+  result.cases.resize(cases.size());
+  tbb::parallel_for(std::size_t{0}, cases.size(),
+                    [&](std::size_t i) { result.cases[i] = appraise(fit, cases[i], step); });
   double squares = 0;
   double count_squares = 0;
   int thresholds = 0;
@@ -107,79 +91,38 @@ namespace {
 
 constexpr double change = 0.02;
 
-std::optional<double> threshold_of(const Fit& fit, const Constants& constants, const Case& c,
-                                   double step) {
-  const SpeedScan scan = scan_of(c, fit.interpretation, constants, step);
-  return score(counts_of(c, fit.interpretation, constants), c.claim, scan, 1).threshold;
-}
-
 /// The slope of ln(threshold); see CaseSensitivity.
-std::optional<double> slope_of(const Fit& fit, const Case& c, Unknown open, double step) {
+std::optional<double> slope_of(const Parameterisation& fit, const Case& c, Unknown open,
+                               double step) {
   const auto i = static_cast<std::size_t>(open);
   const UnknownParameter& bounds = unknown_parameters()[i];
-  std::array<double, 2> at{};
   std::array<double, 2> thresholds{};
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const double sign = side == 0 ? -1 : 1;
-    Constants constants = fit.constants;
-    if (bounds.logarithmic) {
-      at[side] = sign * change;
-      constants[i] *= std::exp(at[side]);
-    } else {
-      at[side] = sign * change;
-      constants[i] = std::clamp(constants[i] + at[side] * (bounds.upper - bounds.lower),
-                                bounds.lower, bounds.upper);
-    }
-    const auto threshold = threshold_of(fit, constants, c, step);
+    const double by = side == 0 ? -change : change;
+    Parameterisation changed = fit;
+    double& x = changed.constants[i];
+    x = bounds.logarithmic
+            ? x * std::exp(by)
+            : std::clamp(x + by * (bounds.upper - bounds.lower), bounds.lower, bounds.upper);
+    const auto threshold = appraise(changed, c, step).score.threshold;
     if (!threshold) return std::nullopt;
     thresholds[side] = *threshold;
   }
-  return std::log(thresholds[1] / thresholds[0]) / (at[1] - at[0]);
+  return std::log(thresholds[1] / thresholds[0]) / (2 * change);
 }
 
-/// The loss with this parameter at a place within its bounds and the other free ones fitted.
-double loss_with(const Fit& fit, const Search& search, std::size_t which, double share) {
-  Parameterisation parameterisation{fit.interpretation, fit.free, fit.constants};
-  Vector x = point_of(parameterisation, fit.constants);
-  x[static_cast<Eigen::Index>(which)] = share;
-  parameterisation.held = constants_at(parameterisation, x);
-  parameterisation.free.erase(parameterisation.free.begin() + static_cast<std::ptrdiff_t>(which));
-  return polish(parameterisation, search).loss;
-}
-
-Profile profile_of(const Fit& fit, const Search& search, std::size_t which) {
-  const Parameterisation parameterisation{fit.interpretation, fit.free, fit.constants};
-  const Unknown open = fit.free[which];
-  const auto column = static_cast<Eigen::Index>(which);
-  const Vector centre = point_of(parameterisation, fit.constants);
-  const auto value_at = [&](double share) {
-    Vector x = centre;
-    x[column] = share;
-    return constants_at(parameterisation, x)[static_cast<std::size_t>(open)];
-  };
-  Profile profile{open, value_at(centre[column]), 0, 0, true, true, {}};
-  profile.points.emplace_back(profile.value, fit.loss);
-  for (const double sign : {-1.0, 1.0}) {
-    double reached = centre[column];
-    bool ended = false;
-    for (double distance = 1.0 / 512; distance <= 0.5 && !ended; distance *= 2) {
-      const double share = std::clamp(centre[column] + sign * distance, 0.0, 1.0);
-      if (share == reached) break;
-      reached = share;
-      const double found = loss_with(fit, search, which, share);
-      profile.points.emplace_back(value_at(share), found);
-      ended = found > fit.loss + 1;
-    }
-    (sign < 0 ? profile.lower : profile.upper) = value_at(reached);
-    (sign < 0 ? profile.lower_open : profile.upper_open) = !ended;
-  }
-  std::sort(profile.points.begin(), profile.points.end());
-  return profile;
-}
+/// One side of a profile: the places of the parameter within its bounds that are tried.
+struct Side {
+  std::size_t which;   ///< of the free parameters
+  double sign;         ///< of the direction
+  double reached;      ///< the furthest place
+  bool ended = false;  ///< the loss has risen, or the bound is reached
+  bool rose = false;
+};
 
 }  // namespace
 
-std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step) {
+std::vector<CaseSensitivity> sensitivities(const Parameterisation& fit, double step) {
   std::vector<CaseSensitivity> result;
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
@@ -190,10 +133,47 @@ std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step) {
   return result;
 }
 
-std::vector<Profile> profiles(const Fit& fit, const Search& search) {
-  std::vector<Profile> result(fit.free.size());
-  tbb::parallel_for(std::size_t{0}, result.size(),
-                    [&](std::size_t i) { result[i] = profile_of(fit, search, i); });
+std::vector<Profile> profiles(const Fit& fit, const Search& search, Searches& searches) {
+  const Vector centre = point_of(fit);
+  const auto moved = [&](std::size_t which, double share) {
+    Vector x = centre;
+    x[static_cast<Eigen::Index>(which)] = share;
+    return fit_at(fit, x);
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < fit.free.size(); ++i) {
+    const double place = centre[static_cast<Eigen::Index>(i)];
+    sides.insert(sides.end(), {{i, -1, place}, {i, 1, place}});
+  }
+  for (double distance = 1.0 / 512; distance <= 0.5; distance *= 2) {
+    std::vector<Side*> tried;
+    std::vector<Fit> starts;
+    for (Side& side : sides) {
+      const double place = centre[static_cast<Eigen::Index>(side.which)];
+      const double share = std::clamp(place + side.sign * distance, 0.0, 1.0);
+      side.ended = side.ended || share == side.reached;
+      if (side.ended) continue;
+      side.reached = share;
+      tried.push_back(&side);
+      Fit& start = starts.emplace_back(Fit{moved(side.which, share)});
+      start.free.erase(start.free.begin() + static_cast<std::ptrdiff_t>(side.which));
+    }
+    const std::vector<Fit> found = searches.polished(starts, search);
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      tried[k]->rose = found[k].loss > fit.loss + 1;
+      tried[k]->ended = tried[k]->rose;
+    }
+  }
+  std::vector<Profile> result;
+  for (std::size_t i = 0; i < fit.free.size(); ++i) {
+    const Side& below = sides[2 * i];
+    const Side& above = sides[2 * i + 1];
+    const auto value_at = [&](double share) {
+      return moved(i, share).constants[static_cast<std::size_t>(fit.free[i])];
+    };
+    result.push_back({fit.free[i], value_at(centre[static_cast<Eigen::Index>(i)]),
+                      value_at(below.reached), value_at(above.reached), !below.rose, !above.rose});
+  }
   return result;
 }
 

@@ -7,20 +7,9 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "src/report/json.h"
-#include "src/studies/calibration/fit.h"
+#include "src/studies/calibration/searches.h"
 
 namespace ricochet::studies::calibration {
-
-/// Returns the collision count of a case over the speed, for an interpretation and its parameters.
-/// Refers to both.
-carrier_track::CountAt counts_of(const carrier_track::Case& a_case,
-                                 const carrier_track::Interpretation& interpretation,
-                                 const carrier_track::Constants& constants);
-
-/// Those counts at evenly spaced speeds up to 18 rad/s, vectorised if the interpretation allows it.
-carrier_track::SpeedScan scan_of(const carrier_track::Case& a_case,
-                                 const carrier_track::Interpretation& interpretation,
-                                 const carrier_track::Constants& constants, double step);
 
 /// The evaluation of a case: the six parts of its score over evenly spaced speeds.
 struct CaseAppraisal {
@@ -28,6 +17,10 @@ struct CaseAppraisal {
   carrier_track::SpeedScan scan;
   carrier_track::Score score;
 };
+
+/// At speeds `step` [rad/s] apart, up to 18 rad/s, vectorised if the interpretation allows it.
+CaseAppraisal appraise(const carrier_track::Parameterisation& fit,
+                       const carrier_track::Case& a_case, double step);
 
 /// The evaluation of a fit over all cases, in the terms of the paper.
 struct Appraisal {
@@ -46,13 +39,13 @@ struct Appraisal {
 RICOCHET_FIELDS(Appraisal, threshold_error, within, exact_counts, purity, misclassified, loudness,
                 right_examples, quiet_share, criterion);
 
-/// Evaluates at speeds `step` [rad/s] apart, up to 18 rad/s.
+/// The same of all cases, in parallel.
 ///
 /// The criterion weighs the error against the number of fitted parameters k (Hurvich and Tsai 1989,
 /// doi:10.1093/biomet/76.2.297): with the n = 20 errors ln(threshold / paper) and ln(quiet count /
 /// paper), n ln(mean square) + 2 p + 2 p (p + 1) / (n - p - 1), p = k + 1. Lower is better; from k
 /// = 18 on it is infinite: such a fit is overfitted.
-Appraisal appraise(const Fit& fit, double step);
+Appraisal appraise(const carrier_track::Parameterisation& fit, double step);
 
 /// The criterion alone. A mean square below 1e-6 counts as 1e-6: no count or threshold of the paper
 /// has more digits.
@@ -69,7 +62,7 @@ struct CaseSensitivity {
 
 /// Central differences over 2 % of the parameter, or of the width of its bounds, with thresholds
 /// from speeds `step` [rad/s] apart. C1..C10.
-std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step);
+std::vector<CaseSensitivity> sensitivities(const carrier_track::Parameterisation& fit, double step);
 
 /// Profile of the loss over a parameter: how far it can move, in steps that double, before the
 /// loss, with the other free parameters fitted again, has risen by one, i.e. by one tolerance of
@@ -79,13 +72,12 @@ struct Profile {
   double value;
   double lower, upper;          ///< the nearest values tried at which it has risen
   bool lower_open, upper_open;  ///< no value on that side reached it: the bound limits it
-  std::vector<std::pair<double, double>> points;  ///< value and loss, by rising value
 
   bool is_determined() const { return !lower_open && !upper_open; }
 };
 
-/// Returns the profile of every free parameter. `search.local` fits the others, with
+/// Returns the profile of every free parameter. The local solvers fit the others, with
 /// search.evaluations at each point.
-std::vector<Profile> profiles(const Fit& fit, const Search& search);
+std::vector<Profile> profiles(const Fit& fit, const Search& search, Searches& searches);
 
 }  // namespace ricochet::studies::calibration

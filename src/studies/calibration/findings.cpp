@@ -1,5 +1,3 @@
-#include "src/studies/calibration/findings.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "src/analysis/statistics/intervals.h"
+#include "src/studies/calibration/results.h"
 #include "src/studies/paper/interpretation.h"
 #include "src/studies/paper/loss.h"
 
@@ -28,6 +27,13 @@ using report::Series;
 
 const UnknownParameter& constant_of(Unknown open) {
   return unknown_parameters()[static_cast<std::size_t>(open)];
+}
+
+/// Its name in words: "centrifugal mass radius".
+std::string words_of(Unknown open) {
+  std::string words(constant_of(open).name);
+  std::ranges::replace(words, '_', ' ');
+  return words;
 }
 
 double percent(double share) {
@@ -302,31 +308,31 @@ Table searches_of(const Results& results) {
                                            {"evaluations"},
                                            {"best"},
                                            {"as_good"},
-                                           {"agreed_from"},
                                            {"least_error"},
                                            {"largest_error"},
                                            {"chosen"}});
   if (results.convergence.empty()) return table;
-  for (const LongSearch& s : results.convergence.front().searches)
-    table.columns.push_back({fmt::format("{}-{}", s.solver, s.seed)});
+  const LongSearches& plan = *results.plan.long_searches;
+  for (const Solver& solver : plan.solvers) {
+    for (const int seed : plan.seeds)
+      table.columns.push_back({fmt::format("{}-{}", solver.name, seed)});
+  }
   std::vector<std::size_t> order(results.convergence.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return results.convergence[i].best().loss; });
+  const auto best = [&](std::size_t i) { return best_of(results.convergence[i].fits).loss; };
+  std::ranges::stable_sort(order, {}, best);
   for (const std::size_t i : order) {
     const Convergence& one = results.convergence[i];
     const std::vector<RankedFit>& fits = results.converged[i];
     const auto error = [](const RankedFit& r) { return r.appraisal.threshold_error; };
     const auto [least, most] = std::ranges::minmax_element(fits, {}, error);
-    const auto from = one.agreed_from();
-    std::vector<Value> row = row_of(
-        {value_of(name_of(fits.front().fit.interpretation)), value_of(fits.front().fit.free.size()),
-         value_of(one.evaluations), value_of(one.best().loss), value_of(fits.size()),
-         from ? value_of(*from * static_cast<double>(one.evaluations)) : Value(),
-         value_of(error(*least)), value_of(error(*most)),
-         value_of(&fits.front() == &results.choice())},
-        fits.front());
-    for (const LongSearch& s : one.searches) row.push_back(value_of(s.last().loss));
+    std::vector<Value> row =
+        row_of({value_of(name_of(fits.front().fit.interpretation)),
+                value_of(fits.front().fit.free.size()), value_of(one.evaluations),
+                value_of(best(i)), value_of(fits.size()), value_of(error(*least)),
+                value_of(error(*most)), value_of(&fits.front() == &results.choice())},
+               fits.front());
+    for (const Fit& fit : one.fits) row.push_back(value_of(fit.loss));
     table.add_row(std::move(row));
   }
   return table;
@@ -393,16 +399,30 @@ std::optional<std::string> other_fit_of(const Results& results) {
       percent(usual.appraisal.threshold_error));
 }
 
+/// Returns true if all searches rank two parameterisations alike.
+bool have_one_order(const Convergence& a, const Convergence& b) {
+  int first = 0, second = 0;
+  for (std::size_t s = 0; s < a.fits.size(); ++s) {
+    first += a.fits[s].loss < b.fits[s].loss ? 1 : 0;
+    second += b.fits[s].loss < a.fits[s].loss ? 1 : 0;
+  }
+  return first == 0 || second == 0;
+}
+
 std::optional<std::string> agreement_of(const std::vector<Convergence>& all) {
   if (all.empty()) return {};
-  const auto agreed = std::ranges::count_if(
-      all, [](const Convergence& one) { return one.agreed_from().has_value(); });
-  const OrderOfPairs pairs = order_of_pairs(all);
+  int pairs = 0, ordered = 0;
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = a + 1; b < all.size(); ++b) {
+      ++pairs;
+      ordered += have_one_order(all[a], all[b]) ? 1 : 0;
+    }
+  }
   return fmt::format(
       "The {} searches end within 1 % of the best of them in {} of {} rows; {} of {} pairs of rows "
       "have the same order in all searches.",
-      all.front().searches.size(), agreed, all.size(),
-      pairs.all - static_cast<int>(pairs.ties.size()), pairs.all);
+      all.front().fits.size(), std::ranges::count_if(all, &Convergence::agrees), all.size(),
+      ordered, pairs);
 }
 
 std::optional<std::string> closest_of(const std::vector<RankedFit>& interpretations) {

@@ -10,9 +10,9 @@
 
 namespace ricochet::studies::calibration {
 
-namespace {
-
 using namespace carrier_track;
+
+namespace {
 
 /// The cases of one group have equal keys.
 std::pair<double, double> key_of(const Case& c, LeftOut what) {
@@ -22,16 +22,6 @@ std::pair<double, double> key_of(const Case& c, LeftOut what) {
 
 bool is_in(const CaseIds& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
-}
-
-/// Of cases of the group, by a fit.
-void add_predictions(std::vector<Prediction>& all, LeftOut what, const CaseIds& ids, const Fit& fit,
-                     double step) {
-  for (const CaseAppraisal& c : appraise(fit, step).cases) {
-    const auto& paper = c.the_case.claim.threshold;
-    if (paper && (what == LeftOut::nothing || is_in(ids, c.the_case.id)))
-      all.push_back({what, c.the_case.id, *paper, c.score.threshold});
-  }
 }
 
 }  // namespace
@@ -66,31 +56,31 @@ double Prediction::error() const {
   return predicted ? std::log(*predicted / paper) : std::log(2.0);
 }
 
-std::vector<Prediction> predictions(const Fit& choice, const Search& search, int searches,
-                                    double step, FitStore& store) {
-  const Parameterisation start = forgotten(choice.interpretation, choice.free, choice.constants);
-  std::vector<std::pair<LeftOut, CaseIds>> refits;
-  std::vector<FitTask> tasks;
+std::vector<Prediction> predictions(const Fit& choice, Search search, int times, double step,
+                                    Searches& searches) {
+  std::vector<LeftOut> kinds;
+  std::vector<Fit> starts;
   for (const LeftOut what : all_left_out) {
     for (const CaseIds& ids : groups_of(what)) {
-      refits.emplace_back(what, ids);
-      for (int k = 0; k < searches; ++k) {
-        Search own = search;
-        own.seed += k;
-        tasks.push_back(fit_task("left out", start, own, ids));
-      }
+      kinds.push_back(what);
+      starts.push_back({forgotten(choice), 0, ids});
     }
   }
-  const std::vector<Fit> fits = fits_by("fitting without some cases", tasks, store);
+  std::vector<Fit> fits = searches.fits(starts, search);
+  for (int k = 1; k < times; ++k) {
+    ++search.seed;
+    const std::vector<Fit> others = searches.fits(starts, search);
+    for (std::size_t i = 0; i < fits.size(); ++i) fits[i] = best_of({fits[i], others[i]});
+  }
+  kinds.push_back(LeftOut::nothing);
+  fits.push_back(choice);
   std::vector<Prediction> all;
-  add_predictions(all, LeftOut::nothing, {}, choice, step);
-  auto next = fits.begin();
-  for (const auto& [what, ids] : refits) {
-    add_predictions(all, what, ids,
-                    *std::min_element(next, next + searches,
-                                      [](const Fit& a, const Fit& b) { return a.loss < b.loss; }),
-                    step);
-    next += searches;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    for (const CaseAppraisal& c : appraise(fits[i], step).cases) {
+      const auto& paper = c.the_case.claim.threshold;
+      if (paper && (kinds[i] == LeftOut::nothing || is_in(fits[i].left_out, c.the_case.id)))
+        all.push_back({kinds[i], c.the_case.id, *paper, c.score.threshold});
+    }
   }
   return all;
 }

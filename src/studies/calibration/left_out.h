@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "src/core/fields.h"
-#include "src/studies/calibration/fit.h"
+#include "src/studies/calibration/searches.h"
 
 /// Does a fit predict what was left out of it? The paper's ten cases are four machines: those of
 /// one machine differ in the disturbance alone. So a case is independent of the fit only if its
@@ -39,11 +39,10 @@ struct Prediction {
 };
 
 /// The thresholds of `choice`, and those of fits of its free parameters without each group of each
-/// kind. These begin at the natural values, which know nothing of the choice: the best of
-/// `searches` searches with seeds from search.seed on. Thresholds are from speeds `step` [rad/s]
-/// apart.
-std::vector<Prediction> predictions(const Fit& choice, const Search& search, int searches,
-                                    double step, FitStore& store);
+/// kind. These begin at the natural values, which know nothing of the choice: the best of `times`
+/// searches with seeds from search.seed on. Thresholds are from speeds `step` [rad/s] apart.
+std::vector<Prediction> predictions(const Fit& choice, Search search, int times, double step,
+                                    Searches& searches);
 
 /// Those of a kind.
 std::vector<Prediction> predictions_without(LeftOut what, const std::vector<Prediction>& all);

@@ -1,13 +1,9 @@
 #include "src/studies/calibration/results.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <utility>
 
-#include "src/studies/calibration/fit.h"
 #include "src/studies/paper/interpretation.h"
-#include "src/studies/paper/loss.h"
 
 namespace ricochet::studies::calibration {
 
@@ -18,305 +14,228 @@ using namespace carrier_track;
 /// Number of the best interpretations that are refined.
 constexpr std::size_t finalists = 4;
 
-/// A compliant contact costs about 100 times as much as an impact.
-constexpr std::int64_t compliant_price = 60;
-
-FitTask interpretation_task(const Interpretation& interpretation, const Search& search,
-                            const Constants& start) {
-  const bool dear = interpretation.recovery == Recovery::contact_speed;
-  return fit_task("fit", {interpretation, unknowns_of(interpretation), start},
-                  with_evaluations(search, search.evaluations / (dear ? compliant_price : 1)));
+RankedFit appraised(Fit fit, double step) {
+  Appraisal appraisal = appraise(fit, step);
+  return {std::move(fit), std::move(appraisal)};
 }
 
-std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
+std::vector<RankedFit> appraised(const std::vector<Fit>& fits, double step) {
   std::vector<RankedFit> ranked;
-  for (Fit& f : fits) {
-    Appraisal appraisal = appraise(f, step);
-    ranked.push_back({std::move(f), std::move(appraisal)});
-  }
+  for (const Fit& fit : fits) ranked.push_back(appraised(fit, step));
   return ranked;
 }
 
-bool better(const Fit& a, const Fit& b) {
-  return a.loss < b.loss;
+double criterion_of(const RankedFit& r) {
+  return r.appraisal.criterion;
 }
 
-bool lower_criterion(const RankedFit& a, const RankedFit& b) {
-  return a.appraisal.criterion < b.appraisal.criterion;
+void append(std::vector<Fit>& fits, const std::vector<Fit>& others) {
+  fits.insert(fits.end(), others.begin(), others.end());
 }
 
-/// Returns the best fit whose cases share a scene: others are more expensive and cannot describe a
-/// user's machine.
-Fit best_scene(const std::vector<Fit>& fits) {
-  const Fit* best = &fits.front();
-  for (const Fit& f : fits) {
-    if (!is_one_scene(f.interpretation)) continue;
-    if (!is_one_scene(best->interpretation) || better(f, *best)) best = &f;
-  }
-  return *best;
+bool has(const std::vector<Fit>& fits, const Interpretation& interpretation) {
+  return std::ranges::find(fits, interpretation, &Fit::interpretation) != fits.end();
 }
 
-/// Fits the variations of an interpretation that are not yet among the fits, from given parameters.
-void add_variations(std::vector<Fit>& fits, const Interpretation& varied, const Constants& start,
-                    const Search& search, FitStore& store) {
-  std::vector<FitTask> tasks;
-  for (const Interpretation& r : variations(varied)) {
-    const bool known = std::any_of(fits.begin(), fits.end(),
-                                   [&](const Fit& fit) { return fit.interpretation == r; });
-    if (!known) tasks.push_back(interpretation_task(r, search, start));
-  }
-  for (Fit& f : fits_by("fitting variations", tasks, store)) fits.push_back(std::move(f));
+/// Those whose cases share a scene: others are more expensive and cannot describe a user's machine.
+std::vector<Fit> of_one_scene(const std::vector<Fit>& fits) {
+  std::vector<Fit> some;
+  std::ranges::copy_if(fits, std::back_inserter(some),
+                       [](const Fit& f) { return is_one_scene(f.interpretation); });
+  return some;
 }
 
-std::vector<Fit> fits_of(const std::vector<Interpretation>& interpretations, const Search& search,
-                         FitStore& store) {
-  std::vector<FitTask> tasks;
-  for (const Interpretation& r : interpretations)
-    tasks.push_back(interpretation_task(r, search, natural_constants()));
-  return fits_by("fitting interpretations", tasks, store);
+/// All parameters are free, and start there.
+Fit start_of(const Interpretation& interpretation, const Constants& constants) {
+  return {{interpretation, unknowns_of(interpretation), constants}};
 }
 
-/// Refines the best few whose cases share a scene, from their current parameters.
-void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
-  std::stable_sort(fits.begin(), fits.end(), better);
-  std::vector<FitTask> tasks;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < fits.size() && places.size() < finalists; ++i) {
-    if (!is_one_scene(fits[i].interpretation)) continue;
-    tasks.push_back(fit_task("final", {fits[i].interpretation, fits[i].free, fits[i].constants},
-                             with_evaluations(plan.search, plan.finalist_evaluations)));
-    places.push_back(i);
-  }
-  const auto refined = fits_by("fitting the best interpretations closely", tasks, store);
-  for (std::size_t k = 0; k < places.size(); ++k) fits[places[k]] = refined[k];
-  std::stable_sort(fits.begin(), fits.end(), better);
-}
-
-std::vector<RankedFit> compared_interpretations(const Plan& plan, FitStore& store) {
-  std::vector<Fit> fits = fits_of(plan.interpretations, plan.search, store);
-  if (fits.size() > 1) {
-    for (int round = 0; round < 2; ++round) {
-      const Fit best = best_scene(fits);
-      add_variations(fits, best.interpretation, best.constants, plan.search, store);
+std::vector<RankedFit> compared_interpretations(const Plan& plan, Searches& searches) {
+  std::vector<Fit> starts;
+  for (const Interpretation& r : plan.interpretations)
+    starts.push_back(start_of(r, natural_constants()));
+  std::vector<Fit> fits = searches.fits(starts, plan.search);
+  for (int round = 0; round < 2 && plan.interpretations.size() > 1; ++round) {
+    const std::vector<Fit> candidates = of_one_scene(fits);
+    const Fit best = candidates.empty() ? fits.front() : best_of(candidates);
+    starts.clear();
+    for (const Interpretation& r : variations(best.interpretation)) {
+      if (!has(fits, r)) starts.push_back(start_of(r, best.constants));
     }
+    append(fits, searches.fits(starts, plan.search));
   }
-  refine_finalists(fits, plan, store);
-  return appraised(std::move(fits), 5 * plan.step);
+  std::ranges::stable_sort(fits, {}, &Fit::loss);
+  std::vector<Fit> best = of_one_scene(fits);
+  best.resize(std::min(best.size(), finalists));
+  for (const Fit& refined :
+       searches.fits(best, with_evaluations(plan.search, plan.finalist_evaluations))) {
+    *std::ranges::find(fits, refined.interpretation, &Fit::interpretation) = refined;
+  }
+  std::ranges::stable_sort(fits, {}, &Fit::loss);
+  return appraised(fits, 5 * plan.step);
 }
 
 /// Returns the fit with the lowest criterion among the best few whose cases share a scene.
 Fit most_sparing(const std::vector<RankedFit>& interpretations) {
-  std::vector<const RankedFit*> candidates;
+  std::vector<RankedFit> candidates;
   for (const RankedFit& r : interpretations) {
     if (is_one_scene(r.fit.interpretation) && candidates.size() < finalists)
-      candidates.push_back(&r);
+      candidates.push_back(r);
   }
   if (candidates.empty()) return interpretations.front().fit;
-  return (*std::min_element(
-              candidates.begin(), candidates.end(),
-              [](const RankedFit* a, const RankedFit* b) { return lower_criterion(*a, *b); }))
-      ->fit;
+  return std::ranges::min_element(candidates, {}, criterion_of)->fit;
 }
 
 /// Fixes one more parameter at its natural value, the one that increases the loss least.
-std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
-  std::vector<FitTask> tasks;
+std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, Searches& searches) {
+  std::vector<Fit> starts;
   for (std::size_t i = 0; i < from.free.size(); ++i) {
     const auto which = static_cast<std::size_t>(from.free[i]);
     if (!unknown_parameters()[which].natural) continue;
-    Parameterisation parameterisation{from.interpretation, from.free, from.constants};
-    parameterisation.free.erase(parameterisation.free.begin() + static_cast<std::ptrdiff_t>(i));
-    parameterisation.held[which] = *unknown_parameters()[which].natural;
-    tasks.push_back(
-        fit_task("pin", parameterisation, with_evaluations(plan.search, plan.pin_evaluations)));
+    Fit& start = starts.emplace_back(from);
+    start.free.erase(start.free.begin() + static_cast<std::ptrdiff_t>(i));
+    start.constants[which] = *unknown_parameters()[which].natural;
   }
-  if (tasks.empty()) return std::nullopt;
-  const std::vector<Fit> fits = fits_by("holding one more constant", tasks, store);
-  return *std::min_element(fits.begin(), fits.end(),
-                           [](const Fit& a, const Fit& b) { return a.loss < b.loss; });
+  if (starts.empty()) return std::nullopt;
+  return best_of(searches.fits(starts, with_evaluations(plan.search, plan.pin_evaluations)));
 }
 
-std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& store) {
+std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, Searches& searches) {
   std::vector<Fit> fits = {best};
   while (fits.back().free.size() > plan.fewest_constants) {
-    auto next = with_one_held(fits.back(), plan, store);
+    auto next = with_one_held(fits.back(), plan, searches);
     if (!next) break;
     fits.push_back(std::move(*next));
   }
-  return appraised(std::move(fits), plan.step);
+  return appraised(fits, plan.step);
 }
-
-RankedFit usual_interpretation(const Plan& plan) {
-  const FittedInterpretation& usual = default_interpretation();
-  Fit fit{usual.interpretation,
-          usual.free,
-          usual.constants,
-          loss(usual.interpretation, usual.constants),
-          {}};
-  Appraisal appraisal = appraise(fit, plan.step);
-  return {std::move(fit), std::move(appraisal)};
-}
-
-}  // namespace
-
-Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 1, 100, 2, 0.01,
-          core_interpretations()};
-}
-
-Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 1, 6, 2, 0.1, core_interpretations()};
-}
-
-ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 100000, 25000, 12};
-}
-
-ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2}, 40, 20, 3};
-}
-
-Results calibrate(const Plan& plan, FitStore& store) {
-  Results results;
-  results.plan = plan;
-  results.interpretations = compared_interpretations(plan, store);
-  results.frontier = frontier_of(most_sparing(results.interpretations), plan, store);
-  const auto lowest =
-      std::min_element(results.frontier.begin(), results.frontier.end(), lower_criterion);
-  results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
-  if (plan.convergence) {
-    results.convergence = long_searches(results, store);
-    for (const Convergence& one : results.convergence) {
-      std::vector<RankedFit>& fits = results.converged.emplace_back();
-      fits = appraised(one.as_good(), plan.step);
-      std::stable_sort(fits.begin(), fits.end(), lower_criterion);
-    }
-  }
-  results.usual = usual_interpretation(plan);
-  const Fit& choice = results.choice().fit;
-  results.predictions =
-      predictions(choice, with_evaluations(plan.search, plan.left_out_evaluations),
-                  plan.left_out_searches, plan.step, store);
-  results.sensitivities = sensitivities(choice, plan.step);
-  results.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
-  return results;
-}
-
-const RankedFit& Results::choice() const {
-  if (converged.empty()) return frontier[chosen];
-  return std::min_element(
-             converged.begin(), converged.end(),
-             [](const auto& a, const auto& b) { return lower_criterion(a.front(), b.front()); })
-      ->front();
-}
-
-namespace {
 
 bool is_default(const Parameterisation& parameterisation) {
   return parameterisation.interpretation == default_interpretation().interpretation &&
          parameterisation.free == default_interpretation().free;
 }
 
-Parameterisation forgotten_fit(const Fit& fit) {
-  return forgotten(fit.interpretation, fit.free, fit.constants);
-}
-
+/// The parameterisations that are searched at length in any case.
 std::vector<Parameterisation> longest(const Results& results) {
-  const FittedInterpretation& usual = default_interpretation();
-  std::vector<Parameterisation> parameterisations = {
-      forgotten_fit(results.frontier[results.chosen].fit)};
-  if (!is_default(parameterisations.front())) {
-    parameterisations.push_back(forgotten(usual.interpretation, usual.free, usual.constants));
-  }
+  std::vector<Parameterisation> all = {forgotten(results.frontier[results.chosen].fit)};
+  if (!is_default(all.front())) all.push_back(forgotten(default_interpretation()));
   const auto best = std::ranges::find_if(results.interpretations, [](const RankedFit& r) {
     return is_one_scene(r.fit.interpretation);
   });
-  if (best != results.interpretations.end()) parameterisations.push_back(forgotten_fit(best->fit));
-  return parameterisations;
+  if (best != results.interpretations.end()) all.push_back(forgotten(best->fit));
+  return all;
 }
 
 /// Returns an interpretation with the free parameters of the default one; the window's length is
 /// free in its own unit.
-Parameterisation as_free_as_default(const Interpretation& interpretation) {
+Fit as_free_as_default(const Interpretation& interpretation) {
   const FittedInterpretation& usual = default_interpretation();
   const auto is_window = [](Unknown open) {
     return open == Unknown::revolutions || open == Unknown::seconds;
   };
-  Parameterisation parameterisation = forgotten(interpretation, usual.free, usual.constants);
-  parameterisation.free.clear();
+  Fit fit{{interpretation, {}, forgotten(usual).constants}};
   for (const Unknown open : unknowns_of(interpretation)) {
     const bool free =
         is_window(open) ? std::ranges::any_of(usual.free, is_window) : contains(usual.free, open);
-    if (free) parameterisation.free.push_back(open);
+    if (free) fit.free.push_back(open);
   }
-  return parameterisation;
+  return fit;
 }
 
-/// Returns all whose cases share a scene, including the default one.
-std::vector<Interpretation> known_interpretations(const Results& results) {
-  std::vector<Interpretation> interpretations;
-  const auto add = [&](const Interpretation& r) {
-    if (is_one_scene(r) && std::ranges::find(interpretations, r) == interpretations.end())
-      interpretations.push_back(r);
-  };
-  add(default_interpretation().interpretation);
-  for (const RankedFit& r : results.interpretations) add(r.fit.interpretation);
-  for (const Interpretation& r : variations(default_interpretation().interpretation)) add(r);
-  return interpretations;
-}
-
-/// Sorted by the losses of short searches, the default one first.
-std::vector<Parameterisation> best_as_free_as_default(const Results& results, FitStore& store) {
-  std::vector<FitTask> tasks;
-  for (const Interpretation& r : known_interpretations(results)) {
-    tasks.push_back(fit_task("as free", as_free_as_default(r), results.plan.search));
+/// Those whose cases share a scene, the default one first, with its free parameters, sorted by the
+/// losses of short searches.
+std::vector<Parameterisation> best_as_free_as_default(const Results& results, Searches& searches) {
+  const Interpretation& usual = default_interpretation().interpretation;
+  std::vector<Interpretation> known = {usual};
+  for (const RankedFit& r : results.interpretations) known.push_back(r.fit.interpretation);
+  for (const Interpretation& r : variations(usual)) known.push_back(r);
+  std::vector<Fit> starts;
+  for (const Interpretation& r : known) {
+    if (is_one_scene(r) && !has(starts, r)) starts.push_back(as_free_as_default(r));
   }
-  std::vector<Fit> fits = fits_by("fitting interpretations of as many constants", tasks, store);
-  std::ranges::stable_sort(fits, {}, [](const Fit& f) {
-    return std::pair(f.interpretation != default_interpretation().interpretation, f.loss);
-  });
+  std::vector<Fit> fits = searches.fits(starts, results.plan.search);
+  std::ranges::stable_sort(fits.begin() + 1, fits.end(), {}, &Fit::loss);
   std::vector<Fit> best;
   for (const Fit& fit : fits) {
-    if (best.size() == results.plan.convergence->interpretations) break;
+    if (best.size() == results.plan.long_searches->interpretations) break;
     const bool owes_nothing = std::ranges::any_of(best, [&](const Fit& better) {
-      return loss(fit.interpretation, better.constants) == better.loss;
+      return loss({fit.interpretation, {}, better.constants}) == better.loss;
     });
     if (!owes_nothing) best.push_back(fit);
   }
-  std::vector<Parameterisation> parameterisations;
+  std::vector<Parameterisation> all;
   for (const Fit& fit : best) {
-    Parameterisation parameterisation = as_free_as_default(fit.interpretation);
-    if (!is_default(parameterisation)) parameterisations.push_back(std::move(parameterisation));
+    if (!is_default(fit)) all.push_back(as_free_as_default(fit.interpretation));
   }
-  return parameterisations;
+  return all;
 }
 
-/// Searches briefly, and again at length if the searches do not agree.
-std::vector<Convergence> converged_by_turns(const std::vector<Parameterisation>& parameterisations,
-                                            const ConvergencePlan& plan, FitStore& store) {
-  ConvergencePlan brief = plan;
-  brief.evaluations = plan.interpretation_evaluations;
-  std::vector<Convergence> all = converge(parameterisations, brief, store);
+std::vector<Convergence> converge(const std::vector<Parameterisation>& parameterisations,
+                                  const LongSearches& plan, std::int64_t evaluations,
+                                  Searches& searches) {
+  std::vector<Convergence> all;
+  for (std::vector<Fit>& fits :
+       searches.from_random_points(parameterisations, plan.solvers, plan.seeds, evaluations)) {
+    all.push_back({evaluations, std::move(fits)});
+  }
+  return all;
+}
+
+std::vector<Convergence> converged(const Results& results, Searches& searches) {
+  const LongSearches& plan = *results.plan.long_searches;
+  std::vector<Convergence> all = converge(longest(results), plan, plan.evaluations, searches);
+  const std::vector<Parameterisation> others = best_as_free_as_default(results, searches);
+  std::vector<Convergence> brief = converge(others, plan, plan.brief_evaluations, searches);
   std::vector<Parameterisation> open;
-  for (const Convergence& one : all) {
-    if (!one.agreed_from()) open.push_back(one.parameterisation);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (!brief[i].agrees()) open.push_back(others[i]);
   }
-  std::vector<Convergence> again = converge(open, plan, store);
+  std::vector<Convergence> again = converge(open, plan, plan.evaluations, searches);
   auto next = again.begin();
-  for (Convergence& one : all) {
-    if (!one.agreed_from()) one = std::move(*next++);
-  }
+  for (Convergence& one : brief) all.push_back(one.agrees() ? one : *next++);
   return all;
 }
 
 }  // namespace
 
-std::vector<Convergence> long_searches(const Results& results, FitStore& store) {
-  const ConvergencePlan& plan = *results.plan.convergence;
-  std::vector<Convergence> all = converge(longest(results), plan, store);
-  std::ranges::move(converged_by_turns(best_as_free_as_default(results, store), plan, store),
-                    std::back_inserter(all));
-  return all;
+std::vector<Fit> Convergence::as_good() const {
+  constexpr double agreement = 0.01;
+  std::vector<Fit> good;
+  for (const Fit& fit : fits) {
+    if (fit.loss <= (1 + agreement) * best_of(fits).loss) good.push_back(fit);
+  }
+  return good;
+}
+
+const RankedFit& Results::choice() const {
+  if (converged.empty()) return frontier[chosen];
+  return std::ranges::min_element(converged, {},
+                                  [](const auto& fits) { return criterion_of(fits.front()); })
+      ->front();
+}
+
+Results calibrate(const Plan& plan, Searches& searches) {
+  Results results;
+  results.plan = plan;
+  results.interpretations = compared_interpretations(plan, searches);
+  results.frontier = frontier_of(most_sparing(results.interpretations), plan, searches);
+  results.chosen = static_cast<std::size_t>(
+      std::ranges::min_element(results.frontier, {}, criterion_of) - results.frontier.begin());
+  if (plan.long_searches) results.convergence = converged(results, searches);
+  for (const Convergence& one : results.convergence) {
+    results.converged.push_back(appraised(one.as_good(), plan.step));
+    std::ranges::stable_sort(results.converged.back(), {}, criterion_of);
+  }
+  const FittedInterpretation& usual = default_interpretation();
+  results.usual = appraised(Fit{usual, loss(usual)}, plan.step);
+  const Fit& choice = results.choice().fit;
+  results.predictions =
+      predictions(choice, with_evaluations(plan.search, plan.left_out_evaluations),
+                  plan.left_out_searches, plan.step, searches);
+  results.sensitivities = sensitivities(choice, plan.step);
+  results.profiles =
+      profiles(choice, with_evaluations(plan.search, plan.profile_evaluations), searches);
+  return results;
 }
 
 }  // namespace ricochet::studies::calibration

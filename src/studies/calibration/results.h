@@ -1,14 +1,26 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "src/report/results.h"
 #include "src/studies/calibration/appraisal.h"
-#include "src/studies/calibration/convergence.h"
-#include "src/studies/calibration/fit.h"
 #include "src/studies/calibration/left_out.h"
+#include "src/studies/calibration/searches.h"
 
 namespace ricochet::studies::calibration {
+
+/// Searches from random points, whose result must not depend on solver and seed.
+struct LongSearches {
+  std::vector<Solver> solvers;
+  std::vector<int> seeds;
+  std::int64_t evaluations = 0;  ///< of each search
+  /// Of those that only rank interpretations; if they do not agree, they are as long as the others.
+  std::int64_t brief_evaluations = 0;
+  std::size_t interpretations = 0;  ///< number of the best, with the default free parameters
+};
 
 /// Length of the searches, and step of the evaluations.
 struct Plan {
@@ -20,28 +32,25 @@ struct Plan {
   std::int64_t profile_evaluations = 0;   ///< at each point of a profile
   std::size_t fewest_constants = 2;       ///< where the frontier ends
   double step = 0;                        ///< [rad/s] between the speeds of an evaluation
-  std::vector<carrier_track::Interpretation>
-      interpretations;  ///< to be compared; of the best one the variations
-                        ///< are compared too, if there are several, and
-                        ///< then those of the best of these
-  std::optional<ConvergencePlan> convergence = {};  ///< if requested
+  /// To be compared. If there are several, the variations of the best one are compared too, and
+  /// then those of the best of these.
+  std::vector<carrier_track::Interpretation> interpretations = {};
+  std::optional<LongSearches> long_searches = {};  ///< if requested
 };
-
-/// All interpretations; about seven minutes on two cores.
-Plan full_plan(const Search& search);
-
-/// Three seeds and two solvers for twelve interpretations; 45 minutes on two idle cores.
-ConvergencePlan full_convergence(const Solver& one, const Solver& other);
-
-/// The same in seconds, without convergence.
-ConvergencePlan quick_convergence(const Solver& one, const Solver& other);
-
-/// The same study in half a minute, for a first look, without convergence.
-Plan quick_plan(const Search& search);
 
 struct RankedFit {
   Fit fit;
   Appraisal appraisal;
+};
+
+/// The searches of a plan for the same parameters.
+struct Convergence {
+  std::int64_t evaluations = 0;  ///< of each search
+  std::vector<Fit> fits;         ///< of each solver with each seed
+
+  /// The fits within 1 % of the best loss.
+  std::vector<Fit> as_good() const;
+  bool agrees() const { return as_good().size() == fits.size(); }
 };
 
 struct Results {
@@ -52,7 +61,13 @@ struct Results {
   /// the one that increases the loss least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< index in the frontier: the one with the lowest criterion
-  /// See long_searches().
+  /// If requested, the searches for
+  /// - the parameters chosen by the frontier,
+  /// - those of the default interpretation, if they differ,
+  /// - all parameters of the best interpretation whose cases share a scene,
+  /// - and the best interpretations with the free parameters of the default one. One that equals a
+  ///   better one to the last bit at the same parameters is left out: its differences have no
+  ///   effect.
   std::vector<Convergence> convergence;
   /// For each of these the fits that are as good as the best, by rising criterion: the loss,
   /// evaluated at few speeds, does not separate them.
@@ -67,18 +82,10 @@ struct Results {
   const RankedFit& choice() const;
 };
 
-/// Computes everything that is missing in the store. The results depend only on the plan, not on
-/// the order of the fits.
-Results calibrate(const Plan& plan, FitStore& store);
+/// Makes the runs that are not stored yet. The results depend only on the plan.
+Results calibrate(const Plan& plan, Searches& searches);
 
-/// Runs the searches of Plan::convergence for
-/// - the parameters chosen by the frontier,
-/// - those of the default interpretation, if they differ,
-/// - all parameters of the best interpretation whose cases share a scene,
-/// - and, for fewer evaluations, the best interpretations with the free parameters of the default
-///   one, including it.
-/// An interpretation is left out if it equals a better one to the last bit at the same parameters:
-/// its differences then have no effect.
-std::vector<Convergence> long_searches(const Results& results, FitStore& store);
+/// What the page calibration.md is filled with.
+report::Results findings_of(const Results& results);
 
 }  // namespace ricochet::studies::calibration

@@ -6,7 +6,6 @@
 #include "ricochet/solver.h"
 #include "src/core/files.h"
 #include "src/core/progress.h"
-#include "src/studies/calibration/findings.h"
 #include "src/studies/calibration/results.h"
 #include "src/studies/paper/interpretation.h"
 
@@ -25,30 +24,34 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
     throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   }
   const Search search{solver_named(options.solver, "--solver"), solver_named("ceres-trust-region"),
-                      solver_named("nlopt-sbplx"), 0, options.seed};
-  Plan plan = quick ? quick_plan(search) : full_plan(search);
-  if (!options.all_interpretations) {
-    plan.interpretations = {options.interpretation.empty()
-                                ? carrier_track::default_interpretation().interpretation
-                                : carrier_track::find_interpretation(options.interpretation)};
+                      solver_named("nlopt-sbplx"), quick ? 30 : 2400, options.seed};
+  Plan plan = quick ? Plan{search, 60, 12, 12, 1, 6, 2, 0.1}
+                    : Plan{search, 12'000, 1600, 2400, 1, 100, 2, 0.01};
+  if (options.all_interpretations) {
+    plan.interpretations = carrier_track::core_interpretations();
+  } else if (options.interpretation.empty()) {
+    plan.interpretations = {carrier_track::default_interpretation().interpretation};
+  } else {
+    plan.interpretations = {carrier_track::find_interpretation(options.interpretation)};
   }
-  if (options.converge) {
-    const auto convergence = quick ? quick_convergence : full_convergence;
-    plan.convergence = convergence(solver_named("pagmo-sade"), solver_named("pagmo-de1220"));
-    if (!quick) {
-      plan.left_out_evaluations = 25'000;
-      plan.left_out_searches = 2;
-    }
+  if (!options.converge) return plan;
+  const std::vector<Solver> solvers = {solver_named("pagmo-sade"), solver_named("pagmo-de1220")};
+  plan.long_searches = quick ? LongSearches{solvers, {1, 2}, 40, 20, 3}
+                             : LongSearches{solvers, {1, 2, 3}, 100'000, 25'000, 12};
+  if (!quick) {
+    plan.left_out_evaluations = 25'000;
+    plan.left_out_searches = 2;
   }
   return plan;
 }
 
 void write_interpretation(const Fit& fit, const CalibrationOptions& options) {
+  const std::string what = options.all_interpretations
+                               ? " --all-interpretations"
+                               : " --interpretation " + name_of(fit.interpretation);
   const auto fitted = carrier_track::fitted_interpretation(
-      fit.interpretation, fit.constants, fit.free,
-      fmt::format("ricochet calibrate{}{}{} --seed {} --solver {}",
-                  options.all_interpretations ? " --all-interpretations" : " --interpretation ",
-                  options.all_interpretations ? "" : name_of(fit.interpretation),
+      fit,
+      fmt::format("ricochet calibrate{}{} --seed {} --solver {}", what,
                   options.converge ? " --converge" : "", options.seed, options.solver),
       "the choice");
   write_text_file(options.folder / "interpretation.toml", write_fitted_interpretation(fitted),
@@ -57,16 +60,16 @@ void write_interpretation(const Fit& fit, const CalibrationOptions& options) {
 
 }  // namespace
 
-Study calibration_study(const CalibrationOptions& options) {
-  const auto compute = [options](bool quick) {
+Study calibration_study(const CalibrationOptions& options, const Provenance& provenance) {
+  const auto compute = [options, provenance](bool quick) {
     const Plan plan = plan_of(options, quick);
     std::filesystem::create_directories(options.folder);
-    const std::filesystem::path fits = options.folder / "fits.toml";
-    FitStore store(fits);
+    const std::filesystem::path runs = options.folder / "runs.sqlite";
     const AtInterruption kept(
         [] {},
-        fmt::format("finished fits are kept in {}: the same command goes on", fits.string()));
-    const Results results = calibrate(plan, store);
+        fmt::format("finished runs are kept in {}: the same command goes on", runs.string()));
+    Searches searches(runs, provenance);
+    const Results results = calibrate(plan, searches);
     const Fit& choice = results.choice().fit;
     if (carrier_track::is_one_scene(choice.interpretation)) write_interpretation(choice, options);
     return json_of(findings_of(results));

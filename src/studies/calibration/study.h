@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "src/experiment/stored_campaign.h"
 #include "src/report/site/study.h"
 
 namespace ricochet::studies {
@@ -17,9 +18,9 @@ struct CalibrationOptions {
   std::filesystem::path folder;       ///< the report's
 };
 
-/// Fits the unknown parameters to the paper's claims. Resumes from the fits in fits.toml of the
-/// folder, and writes interpretation.toml there, which other commands can use. Its computation
-/// throws InputError for invalid options.
-Study calibration_study(const CalibrationOptions& options);
+/// Fits the unknown parameters to the paper's claims. The runs of its searches are stored in
+/// runs.sqlite of the folder, and are not repeated. It writes interpretation.toml there, which
+/// other commands can use. Its computation throws InputError for invalid options.
+Study calibration_study(const CalibrationOptions& options, const Provenance& provenance);
 
 }  // namespace ricochet::studies

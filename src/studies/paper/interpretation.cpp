@@ -1,6 +1,7 @@
 #include "src/studies/paper/interpretation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,118 +15,107 @@ namespace ricochet::carrier_track::inline paper {
 
 namespace {
 
-const EnumNames<Tension> tensions = {
-    {"constant", Tension::constant}, {"rotating", Tension::rotating}, {"phased", Tension::phased}};
-const EnumNames<WindowUnit> units = {{"revolutions", WindowUnit::revolutions},
-                                     {"seconds", WindowUnit::seconds}};
-const EnumNames<DisturbanceKind> disturbances = {
-    {"force", DisturbanceKind::force},
-    {"acceleration", DisturbanceKind::acceleration},
-    {"disturbance-frequency", DisturbanceKind::frequency},
-    {"disturbance-phase", DisturbanceKind::phase}};
-const EnumNames<NormalForce> normal_forces = {{"constant", NormalForce::constant},
-                                              {"weight", NormalForce::weight},
-                                              {"contact-friction", NormalForce::contact}};
-const EnumNames<Transition> transitions = {{"plain", Transition::plain},
-                                           {"crossing", Transition::crossing}};
-const EnumNames<Recovery> recoveries = {{"restitution", Recovery::restitution},
-                                        {"hunt-crossley", Recovery::hunt_crossley},
-                                        {"contact-speed", Recovery::contact_speed}};
-const EnumNames<Rule> rules = {
-    {"impacts", Rule::impacts}, {"peaks-1mm", Rule::peaks_1mm}, {"peaks-0.1mm", Rule::peaks_100um}};
-const EnumNames<Base> bases = {{"base-0.6kg", Base::remainder}, {"base-1.2kg", Base::spindle}};
+/// An answer to a question: its name, and what a description says of it.
+template <class Value>
+struct Choice {
+  std::string_view name;
+  Value value;
+  std::string_view words = {};
+};
 
-/// Calls `use(question, choices, member)` for every question after forcing, tension and window.
+template <class Value>
+using Choices = std::vector<Choice<Value>>;
+
+const Choices<Centrifugal> forcings = {
+    {"projected", Centrifugal::projected, "centrifugal force projected on x"},
+    {"inward", Centrifugal::inward, "centrifugal force always inward"},
+    {"outward", Centrifugal::outward, "centrifugal force always outward"}};
+const Choices<Tension> tensions = {
+    {"constant", Tension::constant, ", constant tension"},
+    {"rotating", Tension::rotating, ", tension that turns with the plate"},
+    {"phased", Tension::phased, ", tension that turns ahead of the plate"}};
+const Choices<WindowUnit> windows = {
+    {"revolutions", WindowUnit::revolutions, ", a fixed number of revolutions"},
+    {"seconds", WindowUnit::seconds, ", a fixed number of seconds"}};
+const Choices<DisturbanceKind> disturbances = {
+    {"force", DisturbanceKind::force},
+    {"acceleration", DisturbanceKind::acceleration, ", disturbance an acceleration"},
+    {"disturbance-frequency", DisturbanceKind::frequency, ", disturbance of another frequency"},
+    {"disturbance-phase", DisturbanceKind::phase, ", disturbance of another phase"}};
+const Choices<NormalForce> normal_forces = {
+    {"constant", NormalForce::constant},
+    {"weight", NormalForce::weight, ", friction on the weight"},
+    {"contact-friction", NormalForce::contact, ", friction on a wall's own force too"}};
+const Choices<Transition> transitions = {
+    {"plain", Transition::plain}, {"crossing", Transition::crossing, ", straight crossings"}};
+const Choices<Recovery> recoveries = {
+    {"restitution", Recovery::restitution},
+    {"hunt-crossley", Recovery::hunt_crossley, ", Hunt-Crossley's c"},
+    {"contact-speed", Recovery::contact_speed, ", Hunt-Crossley's c with one contact speed"}};
+const Choices<Rule> rules = {
+    {"impacts", Rule::impacts},
+    {"peaks-1mm", Rule::peaks_1mm, ", peaks from 3 mm on or up to 1 mm count"},
+    {"peaks-0.1mm", Rule::peaks_100um, ", peaks from 3 mm on or up to 0.1 mm count"}};
+const Choices<Base> bases = {{"base-0.6kg", Base::remainder},
+                             {"base-1.2kg", Base::spindle, ", a base of 1.2 kg"}};
+
+/// Calls `use(question, is_named, choices, member)` for every question. The answers to the first
+/// three are always part of a name, the first answers to the others never.
 template <class Use>
-void for_each_further_question(Use use) {
-  use("the disturbance is", disturbances, &Interpretation::disturbance);
-  use("friction multiplies", normal_forces, &Interpretation::normal_force);
-  use("the path is", transitions, &Interpretation::transition);
-  use("the recovery coefficient is", recoveries, &Interpretation::recovery);
-  use("what counts", rules, &Interpretation::rule);
-  use("the mass of the base", bases, &Interpretation::base);
+void for_each_question(Use use) {
+  use("the centrifugal force is", true, forcings, &Interpretation::forcing);
+  use("the tension is", true, tensions, &Interpretation::tension);
+  use("the window is a number of", true, windows, &Interpretation::window);
+  use("the disturbance is", false, disturbances, &Interpretation::disturbance);
+  use("friction multiplies", false, normal_forces, &Interpretation::normal_force);
+  use("the path is", false, transitions, &Interpretation::transition);
+  use("the recovery coefficient is", false, recoveries, &Interpretation::recovery);
+  use("what counts", false, rules, &Interpretation::rule);
+  use("the mass of the base", false, bases, &Interpretation::base);
+}
+
+/// Calls `use(question, choice, is_in_name)` for the interpretation's answer to every question.
+template <class Use>
+void for_each_answer(const Interpretation& interpretation, Use use) {
+  for_each_question([&](const char* question, bool is_named, const auto& choices, auto member) {
+    for (const auto& choice : choices) {
+      if (choice.value != interpretation.*member) continue;
+      use(question, choice, is_named || &choice != &choices.front());
+    }
+  });
 }
 
 }  // namespace
 
 std::string name_of(const Interpretation& interpretation) {
-  std::string name =
-      fmt::format("{}-{}-{}", name_of(centrifugal_names(), interpretation.forcing),
-                  name_of(tensions, interpretation.tension), name_of(units, interpretation.window));
-  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
-    if (interpretation.*member != choices.front().second) {
-      name += fmt::format("-{}", name_of(choices, interpretation.*member));
-    }
+  std::string name;
+  for_each_answer(interpretation, [&](const char*, const auto& choice, bool is_in_name) {
+    if (is_in_name) name += fmt::format("{}{}", name.empty() ? "" : "-", choice.name);
   });
   return name;
 }
 
 std::string description_of(const Interpretation& interpretation) {
-  std::string text = interpretation.forcing == Centrifugal::projected
-                         ? "centrifugal force projected on x"
-                         : fmt::format("centrifugal force always {}",
-                                       name_of(centrifugal_names(), interpretation.forcing));
-  switch (interpretation.tension) {
-    case Tension::constant:
-      text += ", constant tension";
-      break;
-    case Tension::rotating:
-      text += ", tension that turns with the plate";
-      break;
-    case Tension::phased:
-      text += ", tension that turns ahead of the plate";
-      break;
-  }
-  text += fmt::format(", a fixed number of {}", name_of(units, interpretation.window));
-  switch (interpretation.disturbance) {
-    case DisturbanceKind::force:
-      break;
-    case DisturbanceKind::acceleration:
-      text += ", disturbance an acceleration";
-      break;
-    case DisturbanceKind::frequency:
-      text += ", disturbance of another frequency";
-      break;
-    case DisturbanceKind::phase:
-      text += ", disturbance of another phase";
-      break;
-  }
-  if (interpretation.normal_force == NormalForce::weight) text += ", friction on the weight";
-  if (interpretation.normal_force == NormalForce::contact)
-    text += ", friction on a wall's own force too";
-  if (interpretation.transition == Transition::crossing) text += ", straight crossings";
-  if (interpretation.recovery == Recovery::hunt_crossley) text += ", Hunt-Crossley's c";
-  if (interpretation.recovery == Recovery::contact_speed) {
-    text += ", Hunt-Crossley's c with one contact speed";
-  }
-  if (interpretation.rule == Rule::peaks_1mm) text += ", peaks from 3 mm on or up to 1 mm count";
-  if (interpretation.rule == Rule::peaks_100um)
-    text += ", peaks from 3 mm on or up to 0.1 mm count";
-  if (interpretation.base == Base::spindle) text += ", a base of 1.2 kg";
+  std::string text;
+  for_each_answer(interpretation,
+                  [&](const char*, const auto& choice, bool) { text += choice.words; });
   return text;
 }
 
 std::vector<Answer> answers_of(const Interpretation& interpretation) {
-  std::vector<Answer> answers = {
-      {"the centrifugal force is",
-       std::string(name_of(centrifugal_names(), interpretation.forcing))},
-      {"the tension is", std::string(name_of(tensions, interpretation.tension))},
-      {"the window is a number of", std::string(name_of(units, interpretation.window))}};
-  for_each_further_question([&](const char* question, const auto& choices, auto member) {
-    answers.push_back({question, std::string(name_of(choices, interpretation.*member))});
+  std::vector<Answer> answers;
+  for_each_answer(interpretation, [&](const char* question, const auto& choice, bool) {
+    answers.push_back({question, std::string(choice.name)});
   });
   return answers;
 }
 
 std::vector<Interpretation> core_interpretations() {
   std::vector<Interpretation> interpretations;
-  for (const auto& [window_name, window] : units) {
-    for (const auto& [forcing_name, forcing] : centrifugal_names()) {
-      for (const auto& [tension_name, tension] : tensions) {
-        Interpretation& interpretation = interpretations.emplace_back();
-        interpretation.forcing = forcing;
-        interpretation.tension = tension;
-        interpretation.window = window;
+  for (const auto& window : windows) {
+    for (const auto& forcing : forcings) {
+      for (const auto& tension : tensions) {
+        interpretations.push_back({forcing.value, tension.value, window.value});
       }
     }
   }
@@ -134,45 +124,40 @@ std::vector<Interpretation> core_interpretations() {
 
 std::vector<Interpretation> variations(const Interpretation& interpretation) {
   std::vector<Interpretation> interpretations;
-  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
-    for (const auto& [name, answer] : choices) {
-      if (answer == interpretation.*member) continue;
+  for_each_question([&](const char*, bool is_named, const auto& choices, auto member) {
+    for (const auto& choice : choices) {
+      if (is_named || choice.value == interpretation.*member) continue;
       interpretations.push_back(interpretation);
-      interpretations.back().*member = answer;
+      interpretations.back().*member = choice.value;
     }
   });
   return interpretations;
 }
 
 Interpretation find_interpretation(const std::string& name) {
-  std::string known;
-  for (const Interpretation& core : core_interpretations()) {
-    const std::string core_name = name_of(core);
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", core_name);
-    if (!name.starts_with(core_name)) continue;
-    Interpretation interpretation = core;
-    std::string rest = name.substr(core_name.size());
-    for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
-      for (const auto& [answer_name, answer] : choices) {
-        const std::string suffix = fmt::format("-{}", answer_name);
-        if (!rest.starts_with(suffix) || answer == choices.front().second) continue;
-        interpretation.*member = answer;
-        rest.erase(0, suffix.size());
-        break;
-      }
-    });
-    if (rest.empty()) return interpretation;
-  }
-  std::string answers;
-  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+  Interpretation interpretation;
+  std::string rest = "-" + name;
+  std::string further;
+  for_each_question([&](const char*, bool is_named, const auto& choices, auto member) {
+    bool found = false;
     for (const auto& choice : choices) {
-      if (choice.second != Interpretation{}.*member) answers += fmt::format(" -{}", choice.first);
+      if (!is_named && &choice == &choices.front()) continue;
+      const std::string part = fmt::format("-{}", choice.name);
+      if (!is_named) further += " " + part;
+      if (found || !rest.starts_with(part)) continue;
+      interpretation.*member = choice.value;
+      rest.erase(0, part.size());
+      found = true;
     }
+    if (is_named && !found) rest = "?";  // no later part fits it
   });
+  if (rest.empty()) return interpretation;
+  std::vector<std::string> known;
+  for (const Interpretation& core : core_interpretations()) known.push_back(name_of(core));
   throw InputError(fmt::format(
       "--interpretation {}: there is no such interpretation; allowed: {}; and each with "
       "one of{}",
-      name, known, answers));
+      name, fmt::join(known, ", "), further));
 }
 
 double value_at(const UnknownParameter& c, double share) {
@@ -289,22 +274,18 @@ bool is_one_scene(const Interpretation& interpretation) {
          interpretation.disturbance != DisturbanceKind::acceleration;
 }
 
-FittedInterpretation fitted_interpretation(const Interpretation& interpretation,
-                                           const Constants& constants, std::vector<Unknown> free,
-                                           std::string provenance, const std::string& origin) {
+FittedInterpretation fitted_interpretation(const Parameterisation& fit, std::string provenance,
+                                           const std::string& origin) {
+  const Interpretation& interpretation = fit.interpretation;
   if (!is_one_scene(interpretation)) {
     throw InputError(
         fmt::format("{}: interpretation = {}: must be one whose cases differ in restitution, "
                     "friction and disturbance alone",
                     origin, name_of(interpretation)));
   }
-  FittedInterpretation fitted{interpretation,
-                              constants,
-                              std::move(free),
-                              std::move(provenance),
-                              name_of(interpretation),
+  FittedInterpretation fitted{fit, std::move(provenance), name_of(interpretation),
                               description_of(interpretation),
-                              scene_of(find_case("C1"), interpretation, constants)};
+                              scene_of(find_case("C1"), interpretation, fit.constants)};
   fitted.scene.omega = usual_speed;
   return fitted;
 }
@@ -341,7 +322,7 @@ FittedInterpretation parse_fitted_interpretation(const std::string& text,
   }
   fitted.refuse_others_than(names);
   fixed.refuse_others_than(names);
-  return fitted_interpretation(interpretation, constants, std::move(free), text_at("provenance"),
+  return fitted_interpretation({interpretation, std::move(free), constants}, text_at("provenance"),
                                origin);
 }
 

@@ -233,15 +233,20 @@ BasicScene<Scalar> scene_of(const Case& a_case, const Interpretation& interpreta
 Scene scene_at(const Scene& scene, const Interpretation& interpretation, const Constants& constants,
                double omega);
 
-/// An interpretation of the paper with values for all its unknown parameters, and their origin.
-struct FittedInterpretation {
+/// An interpretation with a value for each of its parameters, and which of them a fit may change.
+struct Parameterisation {
   Interpretation interpretation;
-  Constants constants;
-  std::vector<Unknown> free;  ///< the parameters that were fitted; the others are natural
-  std::string provenance;     ///< in a sentence
-  std::string name;           ///< name_of(interpretation)
-  std::string description;    ///< description_of(interpretation)
-  Scene scene;                ///< of every case, but for restitution, friction and disturbance
+  std::vector<Unknown> free;
+  Constants constants;  ///< of the free ones where a fit starts, or what it found
+};
+
+/// An interpretation of the paper with fitted parameters, and their origin. Those that are not free
+/// are natural.
+struct FittedInterpretation : Parameterisation {
+  std::string provenance;   ///< in a sentence
+  std::string name;         ///< name_of(interpretation)
+  std::string description;  ///< description_of(interpretation)
+  Scene scene;              ///< of every case, but for restitution, friction and disturbance
 };
 
 /// The file text: TOML with the interpretation, its parameters in SI units, which of them are
@@ -254,9 +259,8 @@ FittedInterpretation parse_fitted_interpretation(const std::string& text,
                                                  const std::string& origin);
 
 /// Puts the parts together. Throws InputError as above.
-FittedInterpretation fitted_interpretation(const Interpretation& interpretation,
-                                           const Constants& constants, std::vector<Unknown> free,
-                                           std::string provenance, const std::string& origin);
+FittedInterpretation fitted_interpretation(const Parameterisation& fit, std::string provenance,
+                                           const std::string& origin);
 
 /// Returns true if the scenes of all cases differ only in restitution, friction and disturbance.
 bool is_one_scene(const Interpretation& interpretation);

@@ -79,19 +79,17 @@ double median_count(std::vector<Cell> cells) {
 
 struct CoarseSplit {
   double speed, misclassified;
-  std::size_t quiet_cells;  ///< number of cells below
 };
 
 CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
   double wrong = 0;  // if everything were called loud
   for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
-  CoarseSplit best{0, wrong, 0};
+  CoarseSplit best{0, wrong};
   double edge = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const Cell& c = cells[k];
+  for (const Cell& c : cells) {
     edge += c.width;
     wrong += c.count > limit ? c.width : -c.width;
-    if (wrong < best.misclassified - 1e-9) best = {edge, wrong, k + 1};
+    if (wrong < best.misclassified - 1e-9) best = {edge, wrong};
   }
   best.misclassified /= edge;
   best.speed =
@@ -99,14 +97,73 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
   return best;
 }
 
-/// The counts at some speeds, or most_counted + 1 where they are higher: with most parameters that
-/// a search tries first the carrier has thousands of impacts, which need not all be simulated.
-std::vector<int> counts_by(const Interpretation& interpretation, const Constants& constants,
-                           const Case& a_case, const std::vector<double>& speeds) {
-  const Scene scene = scene_of(a_case, interpretation, constants);
+std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
+  std::vector<double> speeds;
+  for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
+  return speeds;
+}
+
+std::vector<Scene> scenes_of(const Parameterisation& fit, const Case& a_case,
+                             const std::vector<double>& speeds) {
+  const Scene scene = scene_of(a_case, fit.interpretation, fit.constants);
   std::vector<Scene> scenes;
   for (const double omega : speeds)
-    scenes.push_back(scene_at(scene, interpretation, constants, omega));
+    scenes.push_back(scene_at(scene, fit.interpretation, fit.constants, omega));
+  return scenes;
+}
+
+struct ClaimedCell {
+  Case the_case;
+  SpeedCell cell;
+};
+
+bool is_in(const CaseIds& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+struct Slopes {
+  double count;   ///< of the surrogate
+  Vector slopes;  ///< one for each free parameter
+};
+
+/// A surrogate count and its derivatives, in groups of parameters: the cost of a dual number grows
+/// with its size.
+Slopes slopes_of_count(const Parameterisation& fit, double smoothing, const ClaimedCell& where) {
+  constexpr std::size_t room = 5;
+  using Jet = ceres::Jet<double, static_cast<int>(room)>;
+  const std::vector<Unknown>& free = fit.free;
+  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(free.size()))};
+  for (std::size_t first = 0; first < free.size(); first += room) {
+    const std::size_t last = std::min(first + room, free.size());
+    BasicConstants<Jet> dual;
+    for (std::size_t i = 0; i < unknown_size; ++i) dual[i] = Jet(fit.constants[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      dual[static_cast<std::size_t>(free[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
+    }
+    const BasicScene<Jet> scene = scene_of(where.the_case, fit.interpretation, dual);
+    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), smoothing);
+    slopes.count = count.a;
+    for (std::size_t i = first; i < last; ++i) {
+      slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
+    }
+  }
+  return slopes;
+}
+
+}  // namespace
+
+std::vector<SpeedCell> speed_cells(double threshold) {
+  std::vector<SpeedCell> cells;
+  add_cells(cells, 0, 1.3 * threshold, threshold / 16);
+  add_cells(cells, 1.3 * threshold, fastest_speed, 0.6);
+  return cells;
+}
+
+std::vector<int> counts_of(const Parameterisation& fit, const Case& a_case,
+                           const std::vector<double>& speeds) {
+  // With most parameters that a search tries first the carrier has thousands of impacts, which need
+  // not all be simulated.
+  const std::vector<Scene> scenes = scenes_of(fit, a_case, speeds);
   std::vector<int> counts;
   if (std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
     std::vector<ImpactCount> observers(scenes.size());
@@ -144,130 +201,19 @@ std::vector<int> counts_by(const Interpretation& interpretation, const Constants
   return counts;
 }
 
-CountsOf counts_by(const Interpretation& interpretation, const Constants& constants) {
-  return [&](const Case& a_case, const std::vector<double>& speeds) {
-    return counts_by(interpretation, constants, a_case, speeds);
-  };
-}
-
-std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
-  std::vector<double> speeds;
-  for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
-  return speeds;
-}
-
-/// The cells on either side of a split, each divided into `parts` and counted again.
-std::vector<Cell> finer_cells(const std::vector<Cell>& cells, std::size_t quiet_cells, int parts,
-                              const Case& a_case, const CountsOf& counts_of) {
-  const std::size_t first = quiet_cells - 1;
-  std::vector<SpeedCell> fine;
-  for (std::size_t k = first; k <= quiet_cells; ++k) {
-    const Cell& c = cells[k];
-    add_cells(fine, c.omega - c.width / 2, c.omega + c.width / 2, c.width / parts);
-  }
-  const std::vector<int> counts = counts_of(a_case, speeds_of(fine));
-  std::vector<Cell> all(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(first));
-  for (std::size_t k = 0; k < fine.size(); ++k) {
-    all.push_back({fine[k].omega, fine[k].width, counts[k]});
-  }
-  all.insert(all.end(), cells.begin() + static_cast<std::ptrdiff_t>(quiet_cells) + 1, cells.end());
-  return all;
-}
-
-struct ClaimedCell {
-  Case the_case;
-  SpeedCell cell;
-};
-
-bool is_in(const CaseIds& ids, const std::string& id) {
-  return std::ranges::find(ids, id) != ids.end();
-}
-
-std::vector<ClaimedCell> claimed_cells(const CaseIds& left_out) {
-  std::vector<ClaimedCell> cells;
-  for (const Case& a_case : all_cases()) {
-    if (!a_case.claim.threshold || is_in(left_out, a_case.id)) continue;
-    for (const SpeedCell& cell : speed_cells(*a_case.claim.threshold)) {
-      cells.push_back({a_case, cell});
-    }
-  }
-  return cells;
-}
-
-struct Slopes {
-  double count;   ///< of the surrogate
-  Vector slopes;  ///< one for each free parameter
-};
-
-/// Surrogate counts, without derivatives.
-std::vector<double> surrogates(const Interpretation& interpretation, const Constants& constants,
-                               double smoothing, const std::vector<ClaimedCell>& cells) {
-  std::vector<Scene> scenes;
-  for (const auto& [the_case, cell] : cells) {
-    const Scene scene = scene_of(the_case, interpretation, constants);
-    scenes.push_back(scene_at(scene, interpretation, constants, cell.omega));
-  }
-  return objectives(scenes, smoothing);
-}
-
-/// A surrogate count and its derivatives, in groups of parameters: the cost of a dual number grows
-/// with its size.
-Slopes slopes_of_count(const Interpretation& interpretation, const Constants& constants,
-                       const std::vector<Unknown>& free, double smoothing,
-                       const ClaimedCell& where) {
-  constexpr std::size_t room = 5;
-  using Jet = ceres::Jet<double, static_cast<int>(room)>;
-  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(free.size()))};
-  for (std::size_t first = 0; first < free.size(); first += room) {
-    const std::size_t last = std::min(first + room, free.size());
-    BasicConstants<Jet> dual;
-    for (std::size_t i = 0; i < unknown_size; ++i) dual[i] = Jet(constants[i]);
-    for (std::size_t i = first; i < last; ++i) {
-      dual[static_cast<std::size_t>(free[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
-    }
-    const BasicScene<Jet> scene = scene_of(where.the_case, interpretation, dual);
-    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), smoothing);
-    slopes.count = count.a;
-    for (std::size_t i = first; i < last; ++i) {
-      slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
-    }
-  }
-  return slopes;
-}
-
-}  // namespace
-
-std::vector<SpeedCell> speed_cells(double threshold) {
-  std::vector<SpeedCell> cells;
-  add_cells(cells, 0, 1.3 * threshold, threshold / 16);
-  add_cells(cells, 1.3 * threshold, fastest_speed, 0.6);
-  return cells;
-}
-
-LossParts loss_parts(const CoarseScore& s, const Claim& claim) {
+double loss_of(const CoarseScore& s, const Claim& claim) {
   const double quiet = *claim.quiet_count;
-  return {tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15),
-          tamed(std::max(0.0, least_purity - s.purity) / 0.15),
-          tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05),
-          tamed(std::max(0.0, s.misclassified - most_misclassified) / 0.05),
-          tamed(std::max(0.0, std::log(least_loudness / std::max(s.loudness, 0.3))) / 0.2),
-          2.0 * s.wrong_examples,
-          3 * s.shape};
+  return tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15) +
+         tamed(std::max(0.0, 0.9 - s.purity) / 0.15) +
+         tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05) +
+         tamed(std::max(0.0, s.misclassified - 0.02) / 0.05) +
+         tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2) +
+         2.0 * s.wrong_examples + 3 * s.shape;
 }
 
-double loss_of(const CoarseScore& score, const Claim& claim) {
-  const LossParts p = loss_parts(score, claim);
-  return p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape;
-}
-
-double quiet_share_of_c11(const Interpretation& interpretation, const Constants& constants,
-                          int quiet) {
-  return quiet_share_of_c11(counts_by(interpretation, constants), quiet);
-}
-
-double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
-  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
-  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
+double quiet_share_of_c11(const Parameterisation& fit, int quiet) {
+  const std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
+  const std::vector<int> counts = counts_of(fit, find_case("C11"), speeds_of(cells));
   double share = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
@@ -275,12 +221,7 @@ double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
   return share;
 }
 
-CoarseScore coarse_score(const Interpretation& interpretation, const Constants& constants,
-                         const Case& a_case, int finer) {
-  return coarse_score(counts_by(interpretation, constants), a_case, finer);
-}
-
-CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int finer) {
+CoarseScore coarse_score(const Parameterisation& fit, const Case& a_case) {
   const double threshold = a_case.claim.threshold.value();
   const int claimed = a_case.claim.quiet_count.value();
   std::vector<Cell> cells, below, above;
@@ -290,7 +231,7 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int fine
   std::vector<double> speeds = speeds_of(speed_cell);
   const auto& figure = a_case.claim.figure;
   if (figure) speeds.insert(speeds.end(), {figure->quiet, figure->loud});
-  const std::vector<int> counts = counts_of(a_case, speeds);
+  const std::vector<int> counts = counts_of(fit, a_case, speeds);
   for (std::size_t k = 0; k < speed_cell.size(); ++k) {
     const SpeedCell& c = speed_cell[k];
     const Cell cell{c.omega, c.width, counts[k]};
@@ -305,11 +246,7 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int fine
   }
   const int quiet = widest_count(below);
   const double limit = quiet_limit(quiet);
-  CoarseSplit split = coarse_split(cells, limit);
-  if (finer > 1 && split.quiet_cells > 0 && split.quiet_cells < cells.size()) {
-    cells = finer_cells(cells, split.quiet_cells, finer, a_case, counts_of);
-    split = coarse_split(cells, limit);
-  }
+  const CoarseSplit split = coarse_split(cells, limit);
   double pure = 0;
   for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
   int wrong = 0;
@@ -326,12 +263,7 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int fine
           below_shape / total_width(below) + above_shape / total_width(above)};
 }
 
-double loss(const Interpretation& interpretation, const Constants& constants,
-            const CaseIds& left_out) {
-  return loss(counts_by(interpretation, constants), left_out);
-}
-
-double loss(const CountsOf& counts_of, const CaseIds& left_out) {
+double loss(const Parameterisation& fit, const CaseIds& left_out) {
   const bool has_c11 = !is_in(left_out, "C11");
   double sum = 0;
   int quiet_of_c4 = 1;
@@ -340,21 +272,26 @@ double loss(const CountsOf& counts_of, const CaseIds& left_out) {
     const bool is_out = is_in(left_out, a_case.id);
     const bool judges_c11 = a_case.id == "C4" && has_c11;
     if (is_out && !judges_c11) continue;
-    const CoarseScore s = coarse_score(counts_of, a_case);
+    const CoarseScore s = coarse_score(fit, a_case);
     if (!is_out) sum += loss_of(s, a_case.claim);
     if (judges_c11) quiet_of_c4 = std::max(s.quiet_count, 1);
   }
-  return has_c11 ? sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4) : sum;
+  return has_c11 ? sum + 4 * quiet_share_of_c11(fit, quiet_of_c4) : sum;
 }
 
-SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
-                       const std::vector<Unknown>& free, double smoothing,
-                       const CaseIds& left_out) {
-  const bool differentiable = interpretation.recovery != Recovery::contact_speed &&
-                              interpretation.transition == Transition::plain;
-  const std::vector<ClaimedCell> cells = claimed_cells(left_out);
-  const std::vector<double> counts = surrogates(interpretation, constants, smoothing, cells);
-  const auto columns = static_cast<Eigen::Index>(free.size());
+SmoothLoss smooth_loss(const Parameterisation& fit, double smoothing, const CaseIds& left_out) {
+  const bool differentiable = fit.interpretation.recovery != Recovery::contact_speed &&
+                              fit.interpretation.transition == Transition::plain;
+  std::vector<ClaimedCell> cells;
+  std::vector<Scene> scenes;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold || is_in(left_out, a_case.id)) continue;
+    const std::vector<SpeedCell> its_cells = speed_cells(*a_case.claim.threshold);
+    for (const SpeedCell& cell : its_cells) cells.push_back({a_case, cell});
+    std::ranges::move(scenes_of(fit, a_case, speeds_of(its_cells)), std::back_inserter(scenes));
+  }
+  const std::vector<double> counts = objectives(scenes, smoothing);
+  const auto columns = static_cast<Eigen::Index>(fit.free.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
   SmoothLoss result{Vector(rows), Matrix::Zero(rows, columns)};
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -365,9 +302,8 @@ SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& co
     // Loud enough even if the dual number's value is rounded differently.
     const bool flat = !below && above_claim(counts[k] * (1 - 1e-9), quiet) == 0;
     const bool has_slopes = differentiable && columns > 0 && !flat;
-    const Slopes at = has_slopes
-                          ? slopes_of_count(interpretation, constants, free, smoothing, cells[k])
-                          : Slopes{counts[k], {}};
+    const Slopes at =
+        has_slopes ? slopes_of_count(fit, smoothing, cells[k]) : Slopes{counts[k], {}};
     const double weight =
         std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
     const double distance = below ? below_claim(at.count, quiet) : -above_claim(at.count, quiet);
@@ -393,64 +329,53 @@ double stretch(const UnknownParameter& c, double share) {
 
 }  // namespace
 
-Parameterisation full_parameterisation(const Interpretation& interpretation) {
-  return {interpretation, unknowns_of(interpretation), natural_constants()};
-}
-
-Parameterisation forgotten(const Interpretation& interpretation, const std::vector<Unknown>& free,
-                           const Constants& constants) {
-  Parameterisation parameterisation{interpretation, free, constants};
-  for (const Unknown open : free) {
+Parameterisation forgotten(Parameterisation fit) {
+  for (const Unknown open : fit.free) {
     const auto i = static_cast<std::size_t>(open);
-    parameterisation.held[i] = natural_constants()[i];
+    fit.constants[i] = natural_constants()[i];
   }
-  return parameterisation;
+  return fit;
 }
 
-Constants constants_at(const Parameterisation& parameterisation, const Vector& x) {
-  Constants constants = parameterisation.held;
-  for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
-    const Unknown open = parameterisation.free[i];
-    constants[static_cast<std::size_t>(open)] =
+Parameterisation fit_at(Parameterisation fit, const Vector& x) {
+  for (std::size_t i = 0; i < fit.free.size(); ++i) {
+    const Unknown open = fit.free[i];
+    fit.constants[static_cast<std::size_t>(open)] =
         value_at(bounds_of(open), x[static_cast<Eigen::Index>(i)]);
   }
-  return constants;
+  return fit;
 }
 
-Vector point_of(const Parameterisation& parameterisation, const Constants& constants) {
-  Vector x(static_cast<Eigen::Index>(parameterisation.free.size()));
-  for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
-    const Unknown open = parameterisation.free[i];
+Vector point_of(const Parameterisation& fit) {
+  Vector x(static_cast<Eigen::Index>(fit.free.size()));
+  for (std::size_t i = 0; i < fit.free.size(); ++i) {
+    const Unknown open = fit.free[i];
     x[static_cast<Eigen::Index>(i)] =
-        share_of(bounds_of(open), constants[static_cast<std::size_t>(open)]);
+        share_of(bounds_of(open), fit.constants[static_cast<std::size_t>(open)]);
   }
   return x;
 }
 
-Problem calibration_problem(const Parameterisation& parameterisation, const CaseIds& left_out) {
-  const auto n = static_cast<Eigen::Index>(parameterisation.free.size());
+Problem calibration_problem(const Parameterisation& start, const CaseIds& left_out) {
+  const auto n = static_cast<Eigen::Index>(start.free.size());
   Problem problem;
-  problem.name = fmt::format("calibration-{}", name_of(parameterisation.interpretation));
-  for (const Unknown open : parameterisation.free)
+  problem.name = fmt::format("calibration-{}", name_of(start.interpretation));
+  for (const Unknown open : start.free) {
     problem.name += fmt::format("-{}", bounds_of(open).name);
-  for (const Unknown open : parameterisation.free) {
     problem.variables.push_back({std::string(bounds_of(open).name), ""});
   }
   problem.source = "distance from the paper's claims, section 3.3, over the unknown parameters";
   problem.lower = Vector::Zero(n);
   problem.upper = Vector::Ones(n);
-  problem.start = point_of(parameterisation, parameterisation.held);
-  problem.evaluate = [parameterisation, left_out](const Vector& x) {
-    return Values{
-        loss(parameterisation.interpretation, constants_at(parameterisation, x), left_out), {}};
+  problem.start = point_of(start);
+  problem.evaluate = [start, left_out](const Vector& x) {
+    return Values{loss(fit_at(start, x), left_out), {}};
   };
-  problem.residuals = [parameterisation, left_out](const Vector& x) {
-    SmoothLoss smooth =
-        smooth_loss(parameterisation.interpretation, constants_at(parameterisation, x),
-                    parameterisation.free, default_smoothing, left_out);
-    for (std::size_t i = 0; i < parameterisation.free.size(); ++i) {
+  problem.residuals = [start, left_out](const Vector& x) {
+    SmoothLoss smooth = smooth_loss(fit_at(start, x), default_smoothing, left_out);
+    for (std::size_t i = 0; i < start.free.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
-      smooth.slopes.col(column) *= stretch(bounds_of(parameterisation.free[i]), x[column]);
+      smooth.slopes.col(column) *= stretch(bounds_of(start.free[i]), x[column]);
     }
     return Residuals{std::move(smooth.residuals), std::move(smooth.slopes)};
   };
@@ -458,13 +383,11 @@ Problem calibration_problem(const Parameterisation& parameterisation, const Case
 }
 
 Problem calibration_problem(const FittedInterpretation& fitted) {
-  const Parameterisation parameterisation =
-      forgotten(fitted.interpretation, fitted.free, fitted.constants);
-  Problem problem = calibration_problem(parameterisation);
+  Problem problem = calibration_problem(forgotten(fitted));
   problem.name = "calibration-default";
   if (fitted.name == default_interpretation().name) know_best(problem, default_machine_hash());
   if (!problem.best_known) {
-    problem.best_point = point_of(parameterisation, fitted.constants);
+    problem.best_point = point_of(fitted);
     problem.best_known = problem.evaluate(*problem.best_point).objective;
     problem.provenance = fitted.provenance;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,13 +22,12 @@ struct SpeedCell {
 /// and of about 0.6 rad/s beyond.
 std::vector<SpeedCell> speed_cells(double threshold);
 
-/// What the paper claims of a threshold, as goals of a case's score (threshold.h): nearly all
-/// speeds below it have the quiet count, hardly any lies on the wrong side, and it is clearly
-/// louder above.
-inline constexpr double least_purity = 0.9, most_misclassified = 0.02, least_loudness = 1.5;
-
 /// Higher counts are taken as one more than this.
 inline constexpr int most_counted = 100;
+
+/// The counts of a case at some speeds [rad/s], or most_counted + 1 where they are higher.
+std::vector<int> counts_of(const Parameterisation& fit, const Case& a_case,
+                           const std::vector<double>& speeds);
 
 /// The six parts for one case, from coarse cells.
 struct CoarseScore {
@@ -41,6 +39,7 @@ struct CoarseScore {
   int wrong_examples;    ///< (6) 0, 1 or 2
   double shape;          ///< mean distance of a speed from its claim, in ln(count)
 };
+CoarseScore coarse_score(const Parameterisation& fit, const Case& a_case);
 
 /// The contribution of a case to the loss. Each part of the score counts as its distance from the
 /// claim over a tolerance, and beyond three tolerances logarithmically, so that one hopeless case
@@ -51,35 +50,16 @@ struct CoarseScore {
 /// 3 shapes are added, which guide the search where the other parts are flat.
 double loss_of(const CoarseScore& score, const Claim& claim);
 
-/// The same, part by part, in the order in which they are added.
-struct LossParts {
-  double count, purity, threshold, misclassified, loudness, examples, shape;
-};
-LossParts loss_parts(const CoarseScore& score, const Claim& claim);
-
-/// The counts of a case at some speeds [rad/s], or most_counted + 1 where they are higher.
-using CountsOf = std::function<std::vector<int>(const Case&, const std::vector<double>& speeds)>;
-
-/// If `finer` is above 1, the two cells next to the threshold are divided into this number of
-/// parts: the threshold is then known to that part of a cell.
-CoarseScore coarse_score(const CountsOf& counts, const Case& a_case, int finer = 1);
-CoarseScore coarse_score(const Interpretation& interpretation, const Constants& constants,
-                         const Case& a_case, int finer = 1);
-
 /// The share of 0..18 rad/s at which C11, which according to the paper is never quiet, has a count
 /// that is quiet if `quiet` is C4's quiet count.
-double quiet_share_of_c11(const CountsOf& counts, int quiet);
-double quiet_share_of_c11(const Interpretation& interpretation, const Constants& constants,
-                          int quiet);
+double quiet_share_of_c11(const Parameterisation& fit, int quiet);
 
 /// Ids of cases, of C1..C11.
 using CaseIds = std::vector<std::string>;
 
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, which according to the paper
 /// is never quiet, has a count that is quiet in C4. Cases may be left out.
-double loss(const CountsOf& counts, const CaseIds& left_out = {});
-double loss(const Interpretation& interpretation, const Constants& constants,
-            const CaseIds& left_out = {});
+double loss(const Parameterisation& fit, const CaseIds& left_out = {});
 
 /// The smooth loss, for least squares: with surrogate counts s of `smoothing` instead of counts,
 /// ln((s + 0.5) / (quiet + 0.5)) at every cell below the paper's threshold and max(0, ln(1.6 quiet
@@ -92,28 +72,15 @@ struct SmoothLoss {
 
 /// Exact derivatives, except that the columns of the window, the crossing and the contact speed are
 /// 0: they are not differentiable everywhere, or their model has no derivatives.
-SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
-                       const std::vector<Unknown>& free, double smoothing,
-                       const CaseIds& left_out = {});
+SmoothLoss smooth_loss(const Parameterisation& fit, double smoothing, const CaseIds& left_out = {});
 
-/// The free parameters of a fit; `held` has their start values and the values of the fixed ones.
-struct Parameterisation {
-  Interpretation interpretation;
-  std::vector<Unknown> free;
-  Constants held;
-};
-
-/// All parameters that the interpretation uses are free.
-Parameterisation full_parameterisation(const Interpretation& interpretation);
-
-/// The same free parameters as in a fit, reset to their natural values; the others as fixed there.
-Parameterisation forgotten(const Interpretation& interpretation, const std::vector<Unknown>& free,
-                           const Constants& constants);
+/// The same fit with its free parameters reset to their natural values.
+Parameterisation forgotten(Parameterisation fit);
 
 /// The problem of fitting the unknown parameters: minimise the loss over the free ones, each as its
 /// place within its bounds, in [0, 1]. Its residuals are those of the smooth loss of
-/// `default_smoothing`; its true objective is the loss. It starts from the values in `held`.
-Problem calibration_problem(const Parameterisation& parameterisation, const CaseIds& left_out = {});
+/// `default_smoothing`; its true objective is the loss. It starts from the values given.
+Problem calibration_problem(const Parameterisation& start, const CaseIds& left_out = {});
 
 /// The calibration of an interpretation: the parameters that were fitted start at their natural
 /// values, the others are fixed as in the interpretation.
@@ -122,10 +89,10 @@ Problem calibration_problem(const FittedInterpretation& fitted);
 /// The calibration of the default interpretation, as a family of one problem.
 Family calibration_family();
 
-/// The parameters at a point of that problem.
-Constants constants_at(const Parameterisation& parameterisation, const Vector& x);
+/// The fit at a point of its problem.
+Parameterisation fit_at(Parameterisation fit, const Vector& x);
 
-/// The point of that problem for these parameters, if they lie within the bounds.
-Vector point_of(const Parameterisation& parameterisation, const Constants& constants);
+/// The point of its problem that a fit is, if its free parameters lie within the bounds.
+Vector point_of(const Parameterisation& fit);
 
 }  // namespace ricochet::carrier_track::inline paper

@@ -180,7 +180,7 @@ PredictionErrors errors_of(const Points& points, const std::vector<double>& pred
 std::vector<Formula> all_formulas() {
   return {linear_formula("w = c", {"c"}, 0, {}),
           square_root_formula(),
-          power_formula(),
+          linear_formula("w = c Rᵖ", {"c", "p"}, 0, {log_loss}),
           friction_formula(),
           linear_formula("w = c √R exp(k μ + d D)", {"c", "k", "d"}, 0.5, {friction, disturbance}),
           linear_formula("w = c Rᵖ exp(k μ + d D)", {"c", "p", "k", "d"}, 0,
@@ -190,10 +190,6 @@ std::vector<Formula> all_formulas() {
 
 Formula square_root_formula() {
   return linear_formula("w = c √R", {"c"}, 0.5, {});
-}
-
-Formula power_formula() {
-  return linear_formula("w = c Rᵖ", {"c", "p"}, 0, {log_loss});
 }
 
 Formula friction_formula() {
@@ -318,12 +314,6 @@ TheoreticalMotion on_crossing(double radius, double omega, double angle) {
   const double s = std::sin(angle);
   return {radius * omega / (c * c),
           radius * omega * omega / (c * c * c) * std::sqrt(c * c * c * c + 4 * s * s * s * s)};
-}
-
-CrossingParts crossing_parts(double radius, double omega, double angle) {
-  const double c = std::cos(angle);
-  const double push = radius * omega * omega;
-  return {push / c, 2 * push * std::sin(angle) / (c * c * c)};
 }
 
 std::vector<SpeedKnot<double>> crossing_profile(double omega, double angle, double turns) {

@@ -51,9 +51,6 @@ std::vector<Formula> all_formulas();
 /// Of the above, w = c √R.
 Formula square_root_formula();
 
-/// Of the above, w = c Rᵖ.
-Formula power_formula();
-
 /// Of the above, w = c √R exp(k μ).
 Formula friction_formula();
 
@@ -127,13 +124,6 @@ TheoreticalMotion on_arc(double radius, double omega);
 /// 0. Equation (5) agrees with (4) only if the normal and tangential parts enclose 90 degrees +
 /// angle; this reading is used here.
 TheoreticalMotion on_crossing(double radius, double omega, double angle);
-
-/// The normal and tangential parts of equation (4) [m/s^2] on the crossing.
-struct CrossingParts {
-  double normal;      ///< r w^2 / cos(angle)
-  double tangential;  ///< dV/dt = 2 r w^2 sin(angle) / cos^3(angle)
-};
-CrossingParts crossing_parts(double radius, double omega, double angle);
 
 /// The speed [rad/s] of a carrier about its plate's axis, V / r of equations (1) and (3), while the
 /// plate turns steadily at `omega` [rad/s] > 0: the middle of every half turn of the plate has a

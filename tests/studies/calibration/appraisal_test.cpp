@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "src/studies/paper/interpretation.h"
@@ -16,8 +17,7 @@ using namespace carrier_track;
 
 TEST(Appraisal, IsTheScoreOfEveryCase) {
   const FittedInterpretation& fitted = default_interpretation();
-  const Fit fit{fitted.interpretation, fitted.free, fitted.constants, 0, {}};
-  const Appraisal a = appraise(fit, 0.05);
+  const Appraisal a = appraise(fitted, 0.05);
   ASSERT_EQ(a.cases.size(), 12U);
   double squares = 0;
   int right = 0;
@@ -43,11 +43,13 @@ TEST(Appraisal, ScansWhatItCountsOneByOne) {
     const Interpretation interpretation = find_interpretation(name);
     const Constants& constants = default_interpretation().constants;
     const Case c = find_case("C9");
-    const SpeedScan scan = scan_of(c, interpretation, constants, 0.5);
-    const CountAt count = counts_of(c, interpretation, constants);
+    const SpeedScan scan = appraise({interpretation, {}, constants}, c, 0.5).scan;
+    const Scene scene = scene_of(c, interpretation, constants);
     ASSERT_EQ(scan.counts.size(), 36U);
     for (std::size_t k = 0; k < scan.counts.size(); ++k) {
-      EXPECT_EQ(scan.counts[k], count(scan.omega(k))) << name << " at " << scan.omega(k);
+      EXPECT_EQ(scan.counts[k],
+                objective(scene_at(scene, interpretation, constants, scan.omega(k)), 0.0))
+          << name << " at " << scan.omega(k);
     }
   }
 }

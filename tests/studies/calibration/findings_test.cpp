@@ -1,5 +1,3 @@
-#include "src/studies/calibration/findings.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -8,6 +6,7 @@
 
 #include "src/report/markdown_page.h"
 #include "src/report/report.h"
+#include "src/studies/calibration/results.h"
 #include "tests/studies/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
@@ -19,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 RankedFit ranked(const Interpretation& interpretation, std::vector<Unknown> free, double loss) {
-  Fit fit{interpretation, std::move(free), natural_constants(), loss, {}};
+  Fit fit{{interpretation, std::move(free), natural_constants()}, loss};
   fit.constants[static_cast<std::size_t>(Unknown::pull)] = 1;
   Appraisal appraisal = appraise(fit, 1.0);
   return {std::move(fit), std::move(appraisal)};
@@ -39,14 +38,9 @@ Results some_results() {
   results.chosen = 1;
   results.usual =
       ranked(default_interpretation().interpretation, default_interpretation().free, 29);
-  results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 400, 2};
+  results.plan.long_searches = LongSearches{{some_search(1).global}, {1, 2}, 800, 400, 2};
   for (const RankedFit& r : {results.frontier[1], results.interpretations[0]}) {
-    Convergence& one = results.convergence.emplace_back();
-    Fit far = r.fit;
-    far.loss *= 1.5;
-    one.evaluations = 800;
-    one.parameterisation.interpretation = r.fit.interpretation;
-    one.searches = {{"nlopt-crs2", 1, {far, r.fit, r.fit}}, {"nlopt-crs2", 2, {far, far, r.fit}}};
+    results.convergence.push_back({800, {r.fit, r.fit}});
     results.converged.push_back({r});
   }
   for (const auto& [what, factor] :
@@ -59,9 +53,8 @@ Results some_results() {
     }
   }
   results.sensitivities = {{"C1", {0.5, std::nullopt}}, {"C2", {-1, 2}}};
-  results.profiles = {
-      {Unknown::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
-      {Unknown::counting_limit, 0.01, 0.009, 0.02, false, false, {{0.009, 22}, {0.01, 21}}}};
+  results.profiles = {{Unknown::pull, 1, 0.5, 2, false, true},
+                      {Unknown::counting_limit, 0.01, 0.009, 0.02, false, false}};
   return results;
 }
 
@@ -185,14 +178,12 @@ TEST(Findings, ListOtherAnswersOnly) {
 
 TEST(Findings, ShowWhereSearchesEndAlike) {
   Results results = some_results();
-  results.convergence[1].searches[1].fits.back().loss = 24;
+  results.convergence[1].fits[1].loss = 24;
   const report::Results found = findings_of(results);
   const Table& searches = *found.table("searches");
   ASSERT_EQ(searches.rows.size(), 2U);
   EXPECT_EQ(searches[0].number("best"), 20);  // by rising loss
   EXPECT_EQ(searches[0].number("nlopt-crs2-2"), 24);
-  EXPECT_TRUE(is_missing(searches[0]["agreed_from"]));
-  EXPECT_EQ(searches[1].number("agreed_from"), 800);
   EXPECT_EQ(
       std::get<std::string>(*found.value("agreement")),
       "The 2 searches end within 1 % of the best of them in 1 of 2 rows; 0 of 1 pairs of rows "

@@ -1,10 +1,8 @@
 #include "src/studies/calibration/left_out.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -32,15 +30,6 @@ TEST(LeftOut, HasWholeMachinesRestitutionsAndFrictions) {
                                   {"C3", "C4", "C7", "C8", "C11"}}));
 }
 
-Fit some_choice() {
-  const FittedInterpretation& fitted = default_interpretation();
-  return {fitted.interpretation,
-          {Unknown::start_velocity, Unknown::counting_limit},
-          fitted.constants,
-          0,
-          {}};
-}
-
 std::optional<double> threshold_of(const Fit& fit, const std::string& id) {
   for (const CaseAppraisal& c : appraise(fit, 0.2).cases) {
     if (c.the_case.id == id) return c.score.threshold;
@@ -49,13 +38,10 @@ std::optional<double> threshold_of(const Fit& fit, const std::string& id) {
 }
 
 TEST(LeftOut, PredictsEveryThresholdByAFitThatDoesNotKnowIt) {
-  const auto file = std::filesystem::path(testing::TempDir()) /
-                    ("left_out_" + std::to_string(getpid()) + ".toml");
-  std::filesystem::remove(file);
-  FitStore store(file);
+  Searches searches(fresh_file(), some_provenance());
   const Search search = some_search(6);
-  const Fit choice = some_choice();
-  const auto all = predictions(choice, search, 2, 0.2, store);
+  const Fit choice{some_parameterisation()};
+  const auto all = predictions(choice, search, 2, 0.2, searches);
   for (const LeftOut what : all_left_out) {
     std::set<std::string> ids;
     for (const Prediction& p : predictions_without(what, all)) {
@@ -68,11 +54,10 @@ TEST(LeftOut, PredictsEveryThresholdByAFitThatDoesNotKnowIt) {
     EXPECT_EQ(ids.size(), 10U);
   }
   // The better of two searches, from the natural values, that do not know the machine.
-  const Parameterisation start = forgotten(choice.interpretation, choice.free, choice.constants);
+  const Fit start{forgotten(choice), 0, {"C3", "C7"}};
   Search second = search;
   second.seed = 2;
-  const CaseIds machine = {"C3", "C7"};
-  const Fit a = fit(start, search, machine), b = fit(start, second, machine);
+  const Fit a = searches.fits({start}, search).at(0), b = searches.fits({start}, second).at(0);
   ASSERT_NE(a.loss, b.loss);
   const auto predicted = predictions_without(LeftOut::machine, all);
   const auto c7 = std::ranges::find(predicted, "C7", &Prediction::case_id);

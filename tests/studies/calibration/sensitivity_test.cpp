@@ -12,12 +12,9 @@ TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
   // Without disturbance all forces may grow as one, and with them clearance and speeds of start
   // and limit in the same measure: the thresholds stay. So their logarithmic slopes add up to none.
   const FittedInterpretation& fitted = default_interpretation();
-  Fit fit{fitted.interpretation,
-          {Unknown::pull, Unknown::normal_force, Unknown::centrifugal_mass_radius,
-           Unknown::clearance, Unknown::counting_limit},
-          fitted.constants,
-          0,
-          {}};
+  Parameterisation fit = fitted;
+  fit.free = {Unknown::pull, Unknown::normal_force, Unknown::centrifugal_mass_radius,
+              Unknown::clearance, Unknown::counting_limit};
   fit.constants[static_cast<std::size_t>(Unknown::start_velocity)] = 0;
   for (const CaseSensitivity& row : sensitivities(fit, 0.05)) {
     ASSERT_EQ(row.slopes.size(), 5U);
@@ -29,24 +26,25 @@ TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
 }
 
 TEST(Sensitivity, ProfilesAroundTheFit) {
-  Fit fit{some_parameterisation().interpretation,
-          some_parameterisation().free,
-          some_parameterisation().held,
-          0,
-          {}};
-  fit.loss = calibration_problem(some_parameterisation())
-                 .evaluate(calibration_problem(some_parameterisation()).start)
-                 .objective;
-  const auto found = profiles(fit, some_search(2));
+  Fit fit{some_parameterisation()};
+  fit.loss = loss(fit);
+  Searches searches(fresh_file(), some_provenance());
+  const auto found = profiles(fit, some_search(2), searches);
   ASSERT_EQ(found.size(), 2U);
-  for (const Profile& p : found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Profile& p = found[k];
     const auto i = static_cast<std::size_t>(p.constant);
     EXPECT_NEAR(p.value, fit.constants[i], 1e-9 * std::abs(fit.constants[i]));
     EXPECT_LE(p.lower, p.value);
     EXPECT_GE(p.upper, p.value);
-    EXPECT_GE(p.points.size(), 3U);
-    for (std::size_t k = 1; k < p.points.size(); ++k) {
-      EXPECT_GT(p.points[k].first, p.points[k - 1].first);
+    EXPECT_LT(p.lower, p.upper);
+    // Where a side is closed, the loss has risen, however well the other parameter is fitted.
+    for (const auto& [end, open] :
+         {std::pair(p.lower, p.lower_open), std::pair(p.upper, p.upper_open)}) {
+      Fit start = fit;
+      start.free.erase(start.free.begin() + static_cast<std::ptrdiff_t>(k));
+      start.constants[i] = end;
+      EXPECT_EQ(searches.polished({start}, some_search(2)).at(0).loss > fit.loss + 1, !open);
     }
   }
 }

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
 #include "ricochet/solver.h"
 #include "solvers/library_solvers.h"
-#include "src/studies/calibration/fit.h"
+#include "src/studies/calibration/searches.h"
 #include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies::calibration {
@@ -13,12 +19,35 @@ inline Search some_search(std::int64_t evaluations) {
           evaluations};
 }
 
-/// The default interpretation with its window and its slowest impact free.
+/// The default interpretation with its window and its counting limit free.
 inline carrier_track::Parameterisation some_parameterisation() {
   using namespace carrier_track;
   const FittedInterpretation& fitted = default_interpretation();
   return {
       fitted.interpretation, {Unknown::start_velocity, Unknown::counting_limit}, fitted.constants};
+}
+
+/// The same, started far from its fit.
+inline carrier_track::Parameterisation far_parameterisation() {
+  carrier_track::Parameterisation far = some_parameterisation();
+  far.constants[static_cast<std::size_t>(carrier_track::Unknown::counting_limit)] = 0.1;
+  return far;
+}
+
+/// A file of this test that does not exist.
+inline std::filesystem::path fresh_file() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) /
+                      (std::string("calibration_") + std::to_string(getpid()) +
+                       test->test_suite_name() + test->name());
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder / "runs.sqlite";
+}
+
+/// What makes the runs of a test.
+inline Provenance some_provenance() {
+  return {{{"version", "a test"}}, {}};
 }
 
 }  // namespace ricochet::studies::calibration

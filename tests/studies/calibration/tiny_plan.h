@@ -15,7 +15,7 @@ inline Plan tiny_plan() {
   plan.step = 0.2;
   plan.interpretations = {carrier_track::find_interpretation("projected-constant-revolutions"),
                           carrier_track::find_interpretation("inward-rotating-seconds")};
-  plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 4, 3, 3};
+  plan.long_searches = LongSearches{{some_search(1).global}, {1, 2}, 4, 3, 3};
   return plan;
 }
 

@@ -49,7 +49,7 @@ TEST(FittedInterpretation, IsWrittenAndReadBackBitForBit) {
   Constants constants = natural_constants();
   constants[0] = 1.0 / 3.0;
   const auto fitted =
-      fitted_interpretation(interpretation, constants, {Unknown::pull}, "a test", "here");
+      fitted_interpretation({interpretation, {Unknown::pull}, constants}, "a test", "here");
   const std::string text = write_fitted_interpretation(fitted);
   const FittedInterpretation read = parse_fitted_interpretation(text, "there");
   EXPECT_EQ(read.interpretation, interpretation);
@@ -79,7 +79,7 @@ TEST(FittedInterpretation, IsRefusedWhereCasesDifferInMore) {
        {"projected-constant-revolutions-acceleration", "projected-constant-revolutions-crossing",
         "projected-constant-revolutions-hunt-crossley"}) {
     EXPECT_THROW(
-        fitted_interpretation(find_interpretation(name), natural_constants(), {}, "", "here"),
+        fitted_interpretation({find_interpretation(name), {}, natural_constants()}, "", "here"),
         InputError);
   }
 }

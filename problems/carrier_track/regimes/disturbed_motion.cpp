@@ -89,10 +89,7 @@ constexpr double same_end = 1e-6;     // of the clearance and of the counting li
 constexpr double same_margin = 1e-9;  // of turns that are the same
 constexpr std::size_t most_phases = 4000;
 constexpr double narrowest_gap = 1e-4;  // [rad]
-constexpr double narrow_gap = 1e-3;     // [rad], in which margins jump, if they change much
 constexpr double slow = -1.5;           // margins that are lower are alike
-constexpr double share_beside = 0.5;    // of the change over a gap, over its neighbours
-constexpr double overshoot = 4;         // of a change over a gap, within it
 constexpr double near_limit = 1e-5;     // margins nearer to 0 are as near as this
 
 /// Whether two turns of one phase, from different starts, are the same: their starts are forgotten.
@@ -109,16 +106,18 @@ bool are_same(const Scene& machine, const DisturbedTurn& a, const DisturbedTurn&
   return true;
 }
 
-/// By how much margins that are not slow change from one turn to another.
-double change_between(const DisturbedTurn& a, const DisturbedTurn& b) {
-  const auto change = [](double x, double y) {
-    return std::abs(std::max(x, slow) - std::max(y, slow));
+/// By how much margins that are not slow differ at `c` from the line through those at `a` and `b`,
+/// which goes on by `ratio` of their distance.
+double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
+                    double ratio) {
+  const auto bend = [ratio](double at_a, double at_b, double at_c) {
+    const double x = std::max(at_a, slow), y = std::max(at_b, slow), z = std::max(at_c, slow);
+    return std::abs(z - y - ratio * (y - x));
   };
-  double largest = change(a.first, b.first);
-  const int ranks = static_cast<int>(std::max(a.margins.size(), b.margins.size()));
-  for (int rank = 1; rank <= ranks; ++rank) {
-    if (std::max(a.margin(rank), b.margin(rank)) <= slow) break;
-    largest = std::max(largest, change(a.margin(rank), b.margin(rank)));
+  double largest = bend(a.first, b.first, c.first);
+  const auto ranks = std::max({a.margins.size(), b.margins.size(), c.margins.size()});
+  for (int rank = 1; rank <= static_cast<int>(ranks); ++rank) {
+    largest = std::max(largest, bend(a.margin(rank), b.margin(rank), c.margin(rank)));
   }
   return largest;
 }
@@ -141,9 +140,8 @@ class Settling {
     }
     // Half of them may tell that they do not.
     const std::span<const double> all = even;
-    if (!take(all.first(even_phases / 2)) || !take(all.last(even_phases / 2)) || !take(also)) {
-      return false;
-    }
+    if (!forgets(all.first(even_phases / 2)) || !forgets(all.last(even_phases / 2))) return false;
+    if (!take(also)) return false;
     for (;;) {
       sort();
       const std::vector<double> middles = middles_of_gaps();
@@ -154,28 +152,16 @@ class Settling {
     }
   }
 
-  /// Takes the turns at some phases. False if they depend on more than the phase.
+  /// Takes the turns at some phases. False if the carrier does not return to where they begin.
   bool take(std::span<const double> phases) {
     std::vector<double> within(phases.begin(), phases.end());
     for (double& phase : within) phase -= circle * std::floor(phase / circle);
-    const int before = motion_.turns_before;
-    std::vector<DisturbedTurn> turns = turns_at_phases(machine_, within, before);
-    if (before == 0) {
-      const auto returns = [&](const DisturbedTurn& turn) {
-        return turn.end_velocity == 0 && turn.end_position == machine_.start_position;
-      };
-      if (!std::all_of(turns.begin(), turns.end(), returns)) return false;
-    } else if (std::isfinite(machine_.wall_upper)) {
-      Scene other = machine_;
-      const bool on_lower = machine_.start_position == machine_.wall_lower;
-      other.start_position = on_lower ? machine_.wall_upper : machine_.wall_lower;
-      const auto others = turns_at_phases(other, within, before);
-      for (std::size_t k = 0; k < turns.size(); ++k) {
-        if (!are_same(machine_, turns[k], others[k])) return false;
-      }
-    }
+    std::vector<DisturbedTurn> turns = turns_at_phases(machine_, within, motion_.turns_before);
+    const bool return_all = std::all_of(turns.begin(), turns.end(), [&](const auto& turn) {
+      return turn.end_velocity == 0 && turn.end_position == machine_.start_position;
+    });
     std::move(turns.begin(), turns.end(), std::back_inserter(motion_.turns));
-    return true;
+    return motion_.turns_before > 0 || return_all;
   }
 
   void sort() {
@@ -190,9 +176,23 @@ class Settling {
   }
 
  private:
+  /// The same; false, too, if starts on both walls do not lead to the same.
+  bool forgets(std::span<const double> phases) {
+    const std::size_t first = motion_.turns.size();
+    if (!take(phases)) return false;
+    const int before = motion_.turns_before;
+    if (before == 0 || !std::isfinite(machine_.wall_upper)) return true;
+    Scene other = machine_;
+    const bool on_lower = machine_.start_position == machine_.wall_lower;
+    other.start_position = on_lower ? machine_.wall_upper : machine_.wall_lower;
+    const auto others = turns_at_phases(other, phases, before);
+    return std::equal(others.begin(), others.end(), motion_.turns.begin() + first,
+                      [&](const auto& a, const auto& b) { return are_same(machine_, a, b); });
+  }
+
   const DisturbedTurn& turn(std::size_t k) const { return motion_.turns[k % motion_.turns.size()]; }
   double gap_after(std::size_t k) const {
-    return turn(k + 1).phase - turn(k).phase + (k + 1 == motion_.turns.size() ? circle : 0);
+    return turn(k + 1).phase - turn(k).phase + ((k + 1) % motion_.turns.size() == 0 ? circle : 0);
   }
 
   /// How far margins of both turns are from other counts.
@@ -204,24 +204,22 @@ class Settling {
     return std::max(near_limit, std::min(above, below));
   }
 
-  /// The middles of the gaps between phases in which turns with other counts may hide.
+  /// The middles of the gaps between phases in which turns with other counts may hide: margins
+  /// bend there by more than they are away from other counts.
   std::vector<double> middles_of_gaps() const {
     const std::size_t count = motion_.turns.size();
-    std::vector<double> changes;
-    for (std::size_t k = 0; k < count; ++k) changes.push_back(change_between(turn(k), turn(k + 1)));
     std::vector<double> middles;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = count; k < 2 * count; ++k) {
       const double gap = gap_after(k);
       if (gap <= narrowest_gap) continue;
-      double change = changes[k];
-      for (const std::size_t beside : {(k + 1) % count, (k + count - 1) % count}) {
-        const double here = changes[beside] * std::min(1.0, gap / gap_after(beside));
-        change = std::max(change, share_beside * here);
-      }
-      const double reach = gap > narrow_gap ? overshoot : 1;
-      if (reach * change > distance(turn(k), turn(k + 1))) {
-        middles.push_back(turn(k).phase + gap / 2);
-      }
+      // Beside a much narrower gap a jump is inside that.
+      const auto ratio = [&](double beside) {
+        return beside < gap / 2 ? 0 : std::min(1.0, gap / beside);
+      };
+      const auto &a = turn(k - 1), &b = turn(k), &c = turn(k + 1), &d = turn(k + 2);
+      const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
+                                   bend_between(d, c, b, ratio(gap_after(k + 1))));
+      if (bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
     }
     return middles;
   }

@@ -34,14 +34,39 @@ class Tip {
         rank_(rank),
         extreme_(extreme),
         until_(until),
-        phase_(extreme_turn(motion, rank, extreme).phase) {}
+        in_{motion.omega(), extreme_turn(motion, rank, extreme).phase},
+        out_(until) {}
 
-  /// Where margins are smooth in speed and phase, by Newton's method on their differences: that of
-  /// one impact is 0 and extreme, or those of two impacts are 0, which change places there.
-  std::optional<PhaseTip> smooth() const {
-    const double width = std::abs(motion_.omega() - until_);
-    Eigen::Vector2d at((motion_.omega() + until_) / 2, phase_);
-    Eigen::Vector2d reach(width / 2, first_reach);
+  PhaseTip found() {
+    if (const std::optional<double> tip = smooth(first_reach)) return {*tip, in_.phase, true, true};
+    if (probe(out_)) return {out_, in_.phase, false, false};
+    for (int restarts = 0; restarts < most_restarts; ++restarts) {
+      double next_try = width() / 30;
+      while (width() > sharp * out_) {
+        const double middle = (in_.omega + out_) / 2;
+        if (!probe(middle)) out_ = middle;
+        if (width() > next_try) continue;
+        next_try /= 300;
+        const double reach = first_reach * std::sqrt(width() / std::abs(motion_.omega() - until_));
+        const std::optional<double> tip = smooth(reach);
+        if (tip) return {*tip, in_.phase, true, true};
+      }
+      // Far from the speeds at which they are known such turns may be overlooked.
+      if (out_ == until_ || !probe(out_)) break;
+      out_ = until_;
+    }
+    return {in_.omega, in_.phase, true, false};
+  }
+
+ private:
+  double width() const { return std::abs(in_.omega - out_); }
+
+  /// The tip where margins are smooth in speed and phase, by Newton's method on their differences:
+  /// that of one impact is 0 and extreme, or those of two impacts are 0, which change places there.
+  /// The phase is then that of the tip.
+  std::optional<double> smooth(double phase_reach) {
+    Eigen::Vector2d at((in_.omega + out_) / 2, in_.phase);
+    Eigen::Vector2d reach(width() / 2, phase_reach);
     std::optional<PlaceInTurn> one;
     std::optional<PlaceInTurn> other;
     for (int k = 0; k < most_steps; ++k) {
@@ -79,11 +104,12 @@ class Tip {
       }
       if (!step.allFinite()) return std::nullopt;
       at += step;
-      const bool between = (at[0] - until_) * (at[0] - motion_.omega()) < 0;
-      if (!between || std::abs(at[1] - phase_) > farthest_tip) return std::nullopt;
+      const bool between = (at[0] - until_) * (at[0] - in_.omega) < 0;
+      if (!between || std::abs(at[1] - in_.phase) > farthest_tip) return std::nullopt;
       // The next step would be about the square of this one.
       if (is_extreme && std::abs(step[0]) < 1e-9 * until_ && std::abs(step[1]) < 1e-3) {
-        return PhaseTip{at[0], at[1], true, true};
+        in_.phase = at[1];
+        return at[0];
       }
       if (!is_extreme) continue;
       reach[0] =
@@ -93,39 +119,28 @@ class Tip {
     return std::nullopt;
   }
 
-  /// By bisection of the speed, with phases around those of such turns, which may be few and drift
-  /// with the speed.
-  PhaseTip bisected() const {
-    SpeedAndPhase in{motion_.omega(), phase_};
-    double drift = 0;
-    double out = until_;
-    const auto probe = [&](double omega) {
-      const double guess = in.phase + drift * (omega - in.omega);
-      const std::optional<double> phase = middle_beyond(omega, in.phase, guess);
-      if (!phase) return false;
-      drift = (*phase - in.phase) / (omega - in.omega);
-      in = {omega, *phase};
-      return true;
-    };
-    if (probe(out)) return {out, in.phase, false, false};
-    for (int restarts = 0; restarts < most_restarts; ++restarts) {
-      while (std::abs(in.omega - out) > sharp * out) {
-        const double middle = (in.omega + out) / 2;
-        if (!probe(middle)) out = middle;
-      }
-      // Far from the speeds at which they are known such turns may be overlooked.
-      if (out == until_ || !probe(out)) break;
-      out = until_;
+  /// Looks for such turns at a speed, at phases around those where they are known; these may be few
+  /// and drift with the speed. Takes their place if there are some.
+  bool probe(double omega) {
+    const double guess = in_.phase + drift_ * (omega - in_.omega);
+    std::vector<SpeedAndPhase> places = {{omega, in_.phase}, {omega, guess}};
+    double aside = farthest_probe;
+    for (int k = 0; k < probes_beside; ++k, aside /= 4) {
+      places.push_back({omega, guess - aside});
+      places.push_back({omega, guess + aside});
     }
-    const std::array<SpeedAndPhase, 2> beside = {{in, {out, in.phase}}};
-    const auto turns = turns_of(motion_, beside);
-    const bool is_smooth = std::all_of(turns.begin(), turns.end(), [&](const auto& turn) {
-      return std::abs(turn.margin(rank_)) < without_jump;
-    });
-    return {in.omega, in.phase, true, is_smooth};
+    std::vector<double> beyond;
+    for (const DisturbedTurn& turn : turns_of(motion_, places)) {
+      if (is_beyond(turn, rank_, extreme_)) beyond.push_back(turn.phase);
+    }
+    if (beyond.empty()) return false;
+    const auto middle = beyond.begin() + static_cast<std::ptrdiff_t>(beyond.size() / 2);
+    std::nth_element(beyond.begin(), middle, beyond.end());
+    drift_ = (*middle - in_.phase) / (omega - in_.omega);
+    in_ = {omega, *middle};
+    return true;
   }
 
- private:
   /// Places of speed and phase from which a quadratic dependence is known.
   static constexpr std::array<std::array<int, 2>, 7> stencil = {
       {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}}};
@@ -137,7 +152,6 @@ class Tip {
   static constexpr double sharp = 1e-9;  // relative width at which a bracket of speeds is a border
   static constexpr double farthest_probe = 0.1;  // [rad]
   static constexpr int probes_beside = 7;  // on each side, four times as near from one to the next
-  static constexpr double without_jump = 1e-5;  // a margin so small on both sides passes 0
   static constexpr int most_restarts = 20;
 
   /// The margin of an impact at the middle of the stencil, and its derivatives.
@@ -196,39 +210,21 @@ class Tip {
     return found;
   }
 
-  /// The middle one of phases around `centre` that have such turns at a speed; `guess` is another
-  /// phase to look at.
-  std::optional<double> middle_beyond(double omega, double centre, double guess) const {
-    std::vector<SpeedAndPhase> places = {{omega, centre}, {omega, guess}};
-    double aside = farthest_probe;
-    for (int k = 0; k < probes_beside; ++k, aside /= 4) {
-      places.push_back({omega, guess - aside});
-      places.push_back({omega, guess + aside});
-    }
-    std::vector<double> beyond;
-    for (const DisturbedTurn& turn : turns_of(motion_, places)) {
-      if (is_beyond(turn, rank_, extreme_)) beyond.push_back(turn.phase);
-    }
-    if (beyond.empty()) return std::nullopt;
-    const auto middle = beyond.begin() + static_cast<std::ptrdiff_t>(beyond.size() / 2);
-    std::nth_element(beyond.begin(), middle, beyond.end());
-    return *middle;
-  }
-
   double limit() const { return motion_.machine.counting_limit; }
 
   const DisturbedMotion& motion_;
   int rank_;
   Extreme extreme_;
-  double until_, phase_;
+  double until_;
+  SpeedAndPhase in_;  // of such turns
+  double out_;        // the speed at which none are known
+  double drift_ = 0;  // of the phase over the speed
 };
 
 }  // namespace
 
 PhaseTip phase_tip(const DisturbedMotion& motion, int rank, Extreme extreme, double until) {
-  const Tip tip(motion, rank, extreme, until);
-  const std::optional<PhaseTip> smooth = tip.smooth();
-  return smooth ? *smooth : tip.bisected();
+  return Tip(motion, rank, extreme, until).found();
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -204,10 +204,11 @@ class Settling {
     return std::max(near_limit, std::min(above, below));
   }
 
-  /// The middles of the gaps between phases in which turns with other counts may hide: margins
-  /// bend there by more than they are away from other counts.
+  /// The middles of the gaps between phases in which other turns may hide: margins bend there by
+  /// more than they are away from other counts, or the count or the end of the turn jumps.
   std::vector<double> middles_of_gaps() const {
     const std::size_t count = motion_.turns.size();
+    const double apart = (machine_.wall_upper - machine_.wall_lower) / 2;
     std::vector<double> middles;
     for (std::size_t k = count; k < 2 * count; ++k) {
       const double gap = gap_after(k);
@@ -219,7 +220,9 @@ class Settling {
       const auto &a = turn(k - 1), &b = turn(k), &c = turn(k + 1), &d = turn(k + 2);
       const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
                                    bend_between(d, c, b, ratio(gap_after(k + 1))));
-      if (bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
+      const bool jumps = std::abs(b.collisions - c.collisions) > 1 ||
+                         std::abs(b.end_position - c.end_position) > apart;
+      if (jumps || bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
     }
     return middles;
   }
@@ -254,12 +257,6 @@ const DisturbedTurn& extreme_turn(const DisturbedMotion& motion, int rank, Extre
 void begin_turns_at_rest(Scene& scene) {
   const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
   scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
-}
-
-void watch(DisturbedMotion& motion, std::span<const double> phases) {
-  Settling settling(motion);
-  if (!settling.take(phases)) motion.resolved = false;
-  settling.sort();
 }
 
 DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also) {

@@ -80,9 +80,6 @@ DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> als
 std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
                                     std::span<const SpeedAndPhase> places);
 
-/// Takes turns at other phases into a motion that is settled.
-void watch(DisturbedMotion& motion, std::span<const double> phases);
-
 /// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
 /// in every half turn then rests.
 void begin_turns_at_rest(Scene& scene);

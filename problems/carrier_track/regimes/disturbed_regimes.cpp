@@ -178,7 +178,7 @@ class Stretch {
     }
   }
 
-  /// False if the motion outside has such turns, too; it watches one then.
+  /// False if the motion outside has such turns, too, which it knows then.
   bool find_change(std::size_t inside, std::size_t outside, int rank, Extreme extreme) {
     DisturbedMotion in = samples_[inside];
     DisturbedMotion& out = samples_[outside];
@@ -186,9 +186,14 @@ class Stretch {
     PhaseTip tip{};
     for (int tries = 0; tries < most_tips; ++tries) {
       const double last = tip.omega;
+      if (out.turns_before > in.turns_before) {  // what erases the start there does so here, too
+        in.turns_before = out.turns_before;
+        in.machine.start_position = out.machine.start_position;
+      }
       tip = phase_tip(in, rank, extreme, out.omega());
       if (!tip.is_reached) {
-        watch(out, std::array{tip.phase});
+        DisturbedMotion again = motion_at(out.omega(), {tip.phase});
+        if (same_kind(again, out)) out = std::move(again);
         if (has_beyond(out, rank, extreme)) return false;
         out.resolved = false;
         tip.omega = out.omega();

@@ -327,7 +327,7 @@ class LastTurns : public Observer {
 };
 
 constexpr int irregular_turn_count = 120;  // observed after as many
-constexpr std::size_t mean_phases = 16;
+constexpr std::size_t mean_phases = 8;
 
 std::vector<double> phases_from(double first, std::size_t count) {
   std::vector<double> phases;
@@ -377,6 +377,19 @@ LongRun long_run_of(const DisturbedMotion& motion) {
     result.energy_per_turn += turn.energy / count;
     result.share_at_rest += turn.share_at_rest / count;
     result.fastest_impact = std::max(result.fastest_impact, turn.fastest);
+  }
+  if (!motion.settled) return result;
+  // Of all phases, each for those nearer to it than to others.
+  result.collisions_per_turn = 0;
+  double before = motion.turns.back().phase - circle;
+  for (std::size_t k = 0; k < motion.turns.size(); ++k) {
+    const DisturbedTurn& turn = motion.turns[k];
+    const bool is_last = k + 1 == motion.turns.size();
+    const double after = is_last ? motion.turns.front().phase + circle : motion.turns[k + 1].phase;
+    result.collisions_per_turn += turn.collisions * (after - before) / (2 * circle);
+    before = turn.phase;
+    const double fastest = std::exp(turn.margin(1)) * motion.machine.counting_limit;
+    if (!turn.margins.empty()) result.fastest_impact = std::max(result.fastest_impact, fastest);
   }
   return result;
 }

@@ -100,7 +100,7 @@ std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const dou
 /// The turns that are observed of a motion that does not settle, one after the other.
 std::vector<ObservedTurn> irregular_turns(const DisturbedMotion& motion);
 
-/// Over even phases, or over irregular_turns().
+/// Over the phases; energy and rest are those of eight. If it is not settled, of irregular_turns().
 LongRun long_run_of(const DisturbedMotion& motion);
 
 /// The collisions in a turn at one speed, as simulated from some phases of the disturbance: turns

@@ -190,7 +190,7 @@ class Stretch {
         in.turns_before = out.turns_before;
         in.machine.start_position = out.machine.start_position;
       }
-      tip = phase_tip(in, rank, extreme, out.omega());
+      tip = phase_tip(in, out, rank, extreme);
       if (!tip.is_reached) {
         DisturbedMotion again = motion_at(out.omega(), {tip.phase});
         if (same_kind(again, out)) out = std::move(again);
@@ -306,7 +306,7 @@ struct KindBorder {
 
 KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
   constexpr double narrow = 1e-13;         // relative
-  constexpr double blurred = 1e-5;         // relative, of borders beside motions that do not settle
+  constexpr double blurred = 1e-4;         // relative, of borders beside motions that do not settle
   constexpr double just_released = 1e-4;  // relative, where a new motion is large enough to be seen
   if (before.moves != after.moves) {
     const DisturbedMotion& still = before.moves ? after : before;
@@ -333,7 +333,8 @@ KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
   }
   const RegimeEnd kind =
       before.moves != after.moves ? RegimeEnd::release : RegimeEnd::irregular;
-  return {after.omega(), kind, std::move(before), std::move(after)};
+  const double known = before.settled ? before.omega() : after.omega();
+  return {known, kind, std::move(before), std::move(after)};
 }
 
 }  // namespace

@@ -29,13 +29,17 @@ void visit_impacts(const DisturbedTurn& turn, double counting_limit, const Visit
 
 class Tip {
  public:
-  Tip(const DisturbedMotion& motion, int rank, Extreme extreme, double until)
+  Tip(const DisturbedMotion& motion, const DisturbedMotion& other, int rank, Extreme extreme)
       : motion_(motion),
         rank_(rank),
         extreme_(extreme),
-        until_(until),
+        until_(other.omega()),
         in_{motion.omega(), extreme_turn(motion, rank, extreme).phase},
-        out_(until) {}
+        out_(until_) {
+    const double margin = extreme_turn(motion, rank, extreme).margin(rank);
+    const double there = extreme_turn(other, rank, extreme).margin(rank);
+    if (margin != there) share_ = std::clamp(margin / (margin - there), 0.02, 0.98);
+  }
 
   PhaseTip found() {
     if (const std::optional<double> tip = smooth(first_reach)) return {*tip, in_.phase, true, true};
@@ -47,6 +51,7 @@ class Tip {
         if (!probe(middle)) out_ = middle;
         if (width() > next_try) continue;
         next_try /= 300;
+        share_ = 0.5;
         const double reach = first_reach * std::sqrt(width() / std::abs(motion_.omega() - until_));
         const std::optional<double> tip = smooth(reach);
         if (tip) return {*tip, in_.phase, true, true};
@@ -65,8 +70,8 @@ class Tip {
   /// that of one impact is 0 and extreme, or those of two impacts are 0, which change places there.
   /// The phase is then that of the tip.
   std::optional<double> smooth(double phase_reach) {
-    Eigen::Vector2d at((in_.omega + out_) / 2, in_.phase);
-    Eigen::Vector2d reach(width() / 2, phase_reach);
+    Eigen::Vector2d at(in_.omega + share_ * (out_ - in_.omega), in_.phase);
+    Eigen::Vector2d reach(width() * std::min({0.2, share_, 1 - share_}), phase_reach);
     std::optional<PlaceInTurn> one;
     std::optional<PlaceInTurn> other;
     for (int k = 0; k < most_steps; ++k) {
@@ -126,8 +131,8 @@ class Tip {
     std::vector<SpeedAndPhase> places = {{omega, in_.phase}, {omega, guess}};
     double aside = farthest_probe;
     for (int k = 0; k < probes_beside; ++k, aside /= 4) {
-      places.push_back({omega, guess - aside});
-      places.push_back({omega, guess + aside});
+      places.push_back({omega, in_.phase - aside});
+      places.push_back({omega, in_.phase + aside});
     }
     std::vector<double> beyond;
     for (const DisturbedTurn& turn : turns_of(motion_, places)) {
@@ -219,12 +224,14 @@ class Tip {
   SpeedAndPhase in_;  // of such turns
   double out_;        // the speed at which none are known
   double drift_ = 0;  // of the phase over the speed
+  double share_ = 0.5;  // of the way to out_, at which the tip is expected
 };
 
 }  // namespace
 
-PhaseTip phase_tip(const DisturbedMotion& motion, int rank, Extreme extreme, double until) {
-  return Tip(motion, rank, extreme, until).found();
+PhaseTip phase_tip(const DisturbedMotion& motion, const DisturbedMotion& other, int rank,
+                   Extreme extreme) {
+  return Tip(motion, other, rank, extreme).found();
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

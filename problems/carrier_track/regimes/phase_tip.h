@@ -25,7 +25,9 @@ struct PhaseTip {
   bool is_smooth;   ///< the impact passes the counting limit; false: it appears or vanishes
 };
 
-/// The tip of such turns of a settled motion that has some, towards the speed `until` [rad/s].
-PhaseTip phase_tip(const DisturbedMotion& motion, int rank, Extreme extreme, double until);
+/// The tip of such turns of a settled motion that has some, towards the speed of another that knows
+/// none.
+PhaseTip phase_tip(const DisturbedMotion& motion, const DisturbedMotion& other, int rank,
+                   Extreme extreme);
 
 }  // namespace ricochet::carrier_track::inline regimes

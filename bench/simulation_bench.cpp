@@ -267,7 +267,7 @@ void regimes(benchmark::State& state, const Scene& scene) {
 void curve(benchmark::State& state, const Scene& scene) {
   constexpr int points = 100;
   const SteadyMotion quiet = steady_motion(at_speed(scene, *quiet_up_to(scene, 2) * (1 - 1e-3)));
-  const Border<SteadyMotion> border = first_border(quiet, followed(quiet, quiet.omega() * 1.01));
+  const Border border = first_border(quiet, followed(quiet, quiet.omega() * 1.01));
   for (auto _ : state) {
     BorderCurve curve(border, "restitution");
     const double from = curve.here().constant;

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "problems/carrier_track/regimes/sampled_turns.h"
+#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/evaluator.h"

@@ -27,9 +27,8 @@ bool is_narrow(double a, double b) {
 }
 
 /// Motions on both sides of a border.
-template <class Motion>
 struct Bracket {
-  Motion before, after;
+  SteadyMotion before, after;
 
   double from() const { return before.omega(); }
   double to() const { return after.omega(); }
@@ -38,7 +37,7 @@ struct Bracket {
 
 /// Narrows a bracket to the sign change of a margin of the motion.
 template <class Of>
-Bracket<SteadyMotion> sign_change(Bracket<SteadyMotion> bracket, const Of& margin) {
+Bracket sign_change(Bracket bracket, const Of& margin) {
   const bool side = margin(bracket.before) > 0;
   const auto at = [&](double omega) {
     SteadyMotion motion = followed(bracket.before, omega);
@@ -69,8 +68,8 @@ Bracket<SteadyMotion> sign_change(Bracket<SteadyMotion> bracket, const Of& margi
 }
 
 /// Narrows a bracket to the place where `stays(signature)` becomes false.
-template <class Motion, class Stays>
-Bracket<Motion> change(Bracket<Motion> bracket, const Stays& stays) {
+template <class Stays>
+Bracket change(Bracket bracket, const Stays& stays) {
   for (;;) {
     const double width = std::abs(bracket.to() - bracket.from());
     // What settles slowly has no sharper border.
@@ -78,30 +77,16 @@ Bracket<Motion> change(Bracket<Motion> bracket, const Stays& stays) {
     if (width <= (settled ? narrow : blurred) * bracket.to()) return bracket;
     const double middle = 0.5 * (bracket.from() + bracket.to());
     if (middle == bracket.from() || middle == bracket.to()) return bracket;
-    Motion motion = followed(bracket.before, middle);
+    SteadyMotion motion = followed(bracket.before, middle);
     (stays(signature_of(motion)) ? bracket.before : bracket.after) = std::move(motion);
   }
 }
 
-double position_of(const SteadyMotion& still) {
-  return still.orbit.start_position;
-}
-double position_of(const DisturbedMotion& still) {
-  return still.machine.start_position;
-}
-const Scene& machine_of(const SteadyMotion& motion) {
-  return motion.orbit;
-}
-const Scene& machine_of(const DisturbedMotion& motion) {
-  return motion.machine;
-}
-
 /// The speed at which the carrier of a motion without motion starts to move; nothing if rounding
 /// hides where.
-template <class Motion>
-std::optional<double> release_speed(const Motion& still, double until) {
+std::optional<double> release_speed(const SteadyMotion& still, double until) {
   const auto margin = [&](double omega) {
-    return release_margin(at_speed(machine_of(still), omega), position_of(still));
+    return release_margin(at_speed(still.orbit, omega), still.orbit.start_position);
   };
   const double low = std::min(still.omega(), until);
   const double high = std::max(still.omega(), until);
@@ -110,12 +95,10 @@ std::optional<double> release_speed(const Motion& still, double until) {
   return 0.5 * (a + b);
 }
 
-template <class Motion>
-Border<Motion> release(const Bracket<Motion>& bracket) {
+Border release(const Bracket& bracket) {
   const std::optional<double> omega = release_speed(bracket.before, bracket.to());
   if (!omega) {
-    const Bracket<Motion> end =
-        change(bracket, [](const Signature& there) { return !there.moves; });
+    const Bracket end = change(bracket, [](const Signature& there) { return !there.moves; });
     return {end.to(), RegimeEnd::release, end.before, end.after};
   }
   const double away = bracket.upwards() ? 1 : -1;
@@ -133,7 +116,7 @@ RegimeEnd change_of(const Signature& before, const Signature& after) {
 }
 
 /// The border at the end of a narrow bracket.
-Border<SteadyMotion> solved(const Bracket<SteadyMotion>& bracket) {
+Border solved(const Bracket& bracket) {
   const SteadyMotion& end = bracket.before;
   const auto beyond = [&] {
     Scene scene =
@@ -153,82 +136,41 @@ Border<SteadyMotion> solved(const Bracket<SteadyMotion>& bracket) {
           bracket.after};
 }
 
-Border<DisturbedMotion> solved(const Bracket<DisturbedMotion>& bracket) {
-  return {bracket.to(), change_of(signature_of(bracket.before), signature_of(bracket.after)),
-          bracket.before, bracket.after};
-}
+Border border_within(const Bracket& bracket);
 
-template <class Motion>
-Border<Motion> border_within(const Bracket<Motion>& bracket);
-
-template <class Motion>
-Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
+Border border_of_kind(const Bracket& bracket) {
   const Signature kind = signature_of(bracket.before);
   if (!kind.moves) return release(bracket);
-  const Bracket<Motion> end =
+  const Bracket end =
       change(bracket, [&](const Signature& there) { return there.same_kind(kind); });
   // The count may have changed before the kind did.
-  if (!(signature_of(end.before) == kind))
-    return border_within<Motion>({bracket.before, end.before});
+  if (!(signature_of(end.before) == kind)) return border_within({bracket.before, end.before});
   return solved(end);
 }
 
-Border<SteadyMotion> border_of_count(const Bracket<SteadyMotion>& bracket, int rank,
-                                     Extreme /*extreme*/) {
+Border border_of_count(const Bracket& bracket, int rank) {
   const auto margin = [rank](const SteadyMotion& motion) { return rank_margin(motion, rank); };
-  const Bracket<SteadyMotion> end = sign_change(bracket, margin);
+  const Bracket end = sign_change(bracket, margin);
   // The kind may have changed, and changed back, on the way.
   if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
-    return border_of_kind<SteadyMotion>({bracket.before, end.before});
+    return border_of_kind({bracket.before, end.before});
   }
   const bool passes =
       std::abs(margin(end.before)) < continuous && std::abs(margin(end.after)) < continuous;
   return {end.to(), passes ? RegimeEnd::counting_limit : RegimeEnd::grazing, end.before, end.after};
 }
 
-/// The border where the first or last phase counts so.
-Border<DisturbedMotion> border_of_count(const Bracket<DisturbedMotion>& bracket, int rank,
-                                        Extreme extreme) {
-  if (const auto border = count_border(bracket.before, bracket.after, rank, extreme)) {
-    return *border;
-  }
-  const Signature first = signature_of(bracket.before);
-  const Bracket<DisturbedMotion> end =
-      change(bracket, [&](const Signature& there) { return there == first; });
-  if (!signature_of(end.before).same_kind(first)) {
-    return border_of_kind<DisturbedMotion>({bracket.before, end.before});
-  }
-  return {end.to(), RegimeEnd::grazing, end.before, end.after};
-}
-
-template <class Motion>
-Border<Motion> border_within(const Bracket<Motion>& bracket) {
+Border border_within(const Bracket& bracket) {
   const Signature a = signature_of(bracket.before);
   const Signature b = signature_of(bracket.after);
   if (!a.same_kind(b)) return border_of_kind(bracket);
-  std::vector<Border<Motion>> found;
-  if (a.most != b.most) {
-    found.push_back(border_of_count(bracket, b.most > a.most ? a.most + 1 : a.most, Extreme::most));
-  }
-  if (a.least != b.least && (found.empty() || a.least != a.most || b.least != b.most)) {
-    found.push_back(
-        border_of_count(bracket, b.least > a.least ? a.least + 1 : a.least, Extreme::least));
-  }
-  // What is before the bracket comes first.
-  const double onward = bracket.upwards() ? 1 : -1;
-  return *std::min_element(found.begin(), found.end(), [&](const auto& x, const auto& y) {
-    return onward * x.omega < onward * y.omega;
-  });
+  return border_of_count(bracket, b.collisions > a.collisions ? a.collisions + 1 : a.collisions);
 }
 
 }  // namespace
 
-Border<SteadyMotion> first_border(const SteadyMotion& near, const SteadyMotion& far) {
-  return border_within<SteadyMotion>({near, far});
-}
-
-Border<DisturbedMotion> first_border(const DisturbedMotion& near, const DisturbedMotion& far) {
-  return border_within<DisturbedMotion>({near, far});
+Border first_border(const SteadyMotion& near, const SteadyMotion& far) {
+  return border_within({near, far});
 }
 
 namespace {

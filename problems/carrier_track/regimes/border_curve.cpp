@@ -28,7 +28,7 @@ constexpr double slope_difference =
 
 }  // namespace
 
-BorderCurve::BorderCurve(const Border<SteadyMotion>& border, const std::string& constant)
+BorderCurve::BorderCurve(const Border& border, const std::string& constant)
     : key_(constant),
       kind_(border.kind),
       before_(signature_of(border.before)),
@@ -134,7 +134,7 @@ std::optional<double> BorderCurve::border_near(double constant, double omega,
     if (!(signature_of(near) == before_)) continue;
     const SteadyMotion far = followed(near, omega * (1 + onward_ * reach));
     if (signature_of(far) == before_) continue;
-    const Border<SteadyMotion> border = first_border(near, far);
+    const Border border = first_border(near, far);
     if (border.kind != kind_ || !(signature_of(border.after) == after_)) continue;
     motion = border.before;
     return border.omega;
@@ -213,7 +213,7 @@ std::string name_of(CurveEnd end) {
   return "";
 }
 
-Border<SteadyMotion> border_between(const Regime& slower, const Regime& faster) {
+Border border_between(const Regime& slower, const Regime& faster) {
   return {slower.to, slower.ends_by, steady_motion(slower.last.orbit),
           steady_motion(faster.first.orbit)};
 }

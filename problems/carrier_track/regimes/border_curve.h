@@ -39,7 +39,7 @@ std::string name_of(CurveEnd end);
 class BorderCurve {
  public:
   /// Throws InputError for an unknown constant, std::invalid_argument if there is no such border.
-  BorderCurve(const Border<SteadyMotion>& border, const std::string& constant);
+  BorderCurve(const Border& border, const std::string& constant);
 
   /// The point where the curve is now; at first the given border.
   const BorderPoint& here() const { return here_; }
@@ -70,6 +70,6 @@ class BorderCurve {
 };
 
 /// The border between two regimes that follow each other, of a machine without disturbance.
-Border<SteadyMotion> border_between(const Regime& slower, const Regime& faster);
+Border border_between(const Regime& slower, const Regime& faster);
 
 }  // namespace ricochet::carrier_track::inline regimes

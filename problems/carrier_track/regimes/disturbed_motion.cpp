@@ -1,280 +1,32 @@
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numbers>
-#include <optional>
-#include <span>
 #include <utility>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/motion/forces.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/border.h"
-#include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/regimes/sampled_turns.h"
-#include "problems/carrier_track/regimes/steady_motion.h"
+#include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_values.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline regimes {
 
 namespace {
 
-constexpr double full_circle = 2 * std::numbers::pi;
-constexpr int phases = 48;  // with 32, turns that few of the phases have stayed unseen
-constexpr double next_phase = 0.6180339887498949 * full_circle / phases;  // from speed to speed
-// Whose rests erase the start, if it is not where turns start: at least and at most.
-constexpr std::array erasing_turns = {2, 8, 32};
-constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
-constexpr int irregular_turns = 120;  // observed where they do not, after as many
+constexpr double circle = 2 * std::numbers::pi;
 
-/// All phases, evenly spaced.
-std::vector<double> even_phases(double first) {
-  std::vector<double> even;
-  for (int k = 0; k < phases; ++k) even.push_back(first + full_circle * k / phases);
-  return even;
-}
-
-/// Whether two turns of one phase, from different starts, are the same: their starts are forgotten.
-bool are_same(const Scene& machine, const DisturbedTurn& a, const DisturbedTurn& b) {
-  if (a.collisions != b.collisions) return false;
-  // A carrier that friction holds in the gap remembers where, though nothing collides.
-  const double away = std::abs(a.end_position - b.end_position);
-  if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
-  const double faster = std::abs(a.end_velocity - b.end_velocity);
-  if (faster > same_end * machine.counting_limit) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(a.collisions); ++i) {
-    if (std::abs(a.speeds[i] / b.speeds[i] - 1) > 1e-9) return false;
-  }
-  return true;
-}
-
-/// Takes the turns of some phases. Returns whether starts on either wall lead to the same.
-bool take_if_forgotten(DisturbedMotion& motion, std::span<const double> some) {
-  const Scene& machine = motion.machine;
-  std::vector<DisturbedTurn> turns = turns_at_phases(machine, some, motion.turns_before);
-  if (std::isfinite(machine.wall_upper)) {
-    Scene other = machine;
-    const bool on_lower = machine.start_position == machine.wall_lower;
-    other.start_position = on_lower ? machine.wall_upper : machine.wall_lower;
-    const auto others = turns_at_phases(other, some, motion.turns_before);
-    for (std::size_t k = 0; k < turns.size(); ++k) {
-      if (!are_same(machine, turns[k], others[k])) return false;
-    }
-  }
-  std::move(turns.begin(), turns.end(), std::back_inserter(motion.turns));
-  return true;
-}
-
-/// Takes the turns of all phases from a start at rest on that wall. Returns whether all end there.
-bool all_return(DisturbedMotion& motion, double wall) {
-  if (!std::isfinite(wall)) return false;
-  motion.machine.start_position = wall;
-  motion.turns_before = 0;
-  motion.turns.clear();
-  const std::vector<double> even = even_phases(motion.first_phase);
-  // Half of them may tell that some do not.
-  for (const auto& part : {std::span(even).first(phases / 2), std::span(even).last(phases / 2)}) {
-    for (DisturbedTurn& turn : turns_at_phases(motion.machine, part, 0)) {
-      if (!turn.returns) return false;
-      motion.turns.push_back(std::move(turn));
-    }
-  }
-  return true;
-}
-
-/// The turns that are observed of a motion that does not settle.
-std::vector<ObservedTurn> irregular_turns_of(const Scene& machine) {
-  return observed_turns(machine, std::span(&machine.disturbance_phase, 1), irregular_turns,
-                        irregular_turns);
-}
-
-/// Takes the turns after some that erase the start on that wall.
-void take_erased_turns(DisturbedMotion& motion, double wall) {
-  motion.machine.start_position = wall;
-  // Some phases may tell that the start is remembered.
-  const std::vector<double> even = even_phases(motion.first_phase);
-  std::vector<double> some;
-  std::vector<double> rest;
-  for (std::size_t k = 0; k < even.size(); ++k) (k % 6 == 0 ? some : rest).push_back(even[k]);
-  for (const int before : erasing_turns) {
-    motion.turns_before = before;
-    motion.turns.clear();
-    motion.settled = take_if_forgotten(motion, some) && take_if_forgotten(motion, rest);
-    if (motion.settled) break;
-  }
-  if (!motion.settled) motion.turns.clear();
-  std::sort(motion.turns.begin(), motion.turns.end(),
-            [](const auto& a, const auto& b) { return a.phase < b.phase; });
-}
-
-/// Takes the turns of a motion that moves and is pressed to that wall.
-void take_turns(DisturbedMotion& motion, double wall) {
-  if (all_return(motion, motion.machine.wall_upper)) return;
-  if (all_return(motion, motion.machine.wall_lower)) return;
-  take_erased_turns(motion, wall);
-}
-
-/// The same of a motion that changes little from `before`: what was the case there is tried first.
-void take_turns_as(DisturbedMotion& motion, double wall, const DisturbedMotion& before) {
-  if (!before.moves || !before.settled) return take_turns(motion, wall);
-  if (before.turns_before == 0) {
-    if (!all_return(motion, before.machine.start_position)) take_turns(motion, wall);
-    return;
-  }
-  take_erased_turns(motion, wall);
-  if (!motion.settled) return;
-  const std::optional<Wall> rest = motion.turns.front().rests_on;
-  const bool returns = rest && std::all_of(motion.turns.begin(), motion.turns.end(),
-                                           [&](const auto& turn) { return turn.rests_on == rest; });
-  if (!returns) return;
-  const Scene& machine = motion.machine;
-  DisturbedMotion returning = motion;
-  if (all_return(returning, rest == Wall::lower ? machine.wall_lower : machine.wall_upper)) {
-    motion = std::move(returning);
-  }
-}
-
-/// Takes the least and the most collisions of the turns.
-void take_extremes(DisturbedMotion& motion) {
-  const auto [least, most] =
-      std::minmax_element(motion.turns.begin(), motion.turns.end(),
-                          [](const auto& a, const auto& b) { return a.collisions < b.collisions; });
-  motion.least = least->collisions;
-  motion.most = most->collisions;
-}
-
-/// Lets a motion watch a turn.
-void watch(DisturbedMotion& motion, DisturbedTurn turn) {
-  motion.least = std::min(motion.least, turn.collisions);
-  motion.most = std::max(motion.most, turn.collisions);
-  motion.watched.push_back(std::move(turn));
-  motion.known.clear();
-}
-
-/// Watches the phases that a motion before has watched, and those at which it had its fewest and
-/// its most collisions, as long as no even phase tells of the same.
-void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
-  if (!before.moves || !before.settled) return;
-  std::vector<double> there;
-  const auto look_at = [&](double phase) { there.push_back(phase_in(motion, before, phase)); };
-  for (const DisturbedTurn& watched : before.watched) look_at(watched.phase);
-  look_at(sampled_margin(before, before.least, Extreme::least).phase);
-  look_at(sampled_margin(before, before.most, Extreme::most).phase);
-  const int least = motion.least;
-  const int most = motion.most;
-  for (DisturbedTurn& watched : turns_at_phases(motion.machine, there, motion.turns_before)) {
-    if (watched.collisions >= least && watched.collisions <= most) continue;
-    watch(motion, std::move(watched));
-  }
-}
-
-/// The motion of a scene, which is like one `before`, if that is given.
-DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
-  DisturbedMotion motion{scene};
-  // Other phases at every speed: turns that few phases have are met at one of them.
-  if (before != nullptr) {
-    motion.first_phase = std::fmod(before->first_phase + next_phase, full_circle / phases);
-  }
-  Scene& machine = motion.machine;
-  begin_turns_at_rest(machine);
-  const bool pressed_down =
-      release_margin(machine, machine.wall_lower) <= release_margin(machine, machine.wall_upper);
-  const double wall =
-      pressed_down || !std::isfinite(machine.wall_upper) ? machine.wall_lower : machine.wall_upper;
-  machine.start_position = wall;
-  machine.start_velocity = 0;
-  if (release_margin(machine, wall) <= 0) {
-    motion.moves = false;
-    motion.turns = {{0, {}, {}, 0, wall, 0, true}};
-    return motion;
-  }
-  before != nullptr ? take_turns_as(motion, wall, *before) : take_turns(motion, wall);
-  if (!motion.settled) return motion;
-  take_extremes(motion);
-  if (before != nullptr) watch_as(motion, *before);
-  for (DisturbedTurn& turn : rare_turns(motion)) watch(motion, std::move(turn));
-  // Between the phases there may be turns with fewer and with more.
-  while (motion.least > 0 && !(extreme_margin(motion, motion.least, Extreme::least).value > 0)) {
-    --motion.least;
-  }
-  while (extreme_margin(motion, motion.most + 1, Extreme::most).value > 0) ++motion.most;
-  return motion;
-}
-
-}  // namespace
-
-void begin_turns_at_rest(Scene& scene) {
-  const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
-  scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
-}
-
-DisturbedTurn turn_at(const DisturbedMotion& motion, double phase) {
-  return turns_at_phases(motion.machine, std::span(&phase, 1), motion.turns_before).front();
-}
-
-Scene machine_at(const DisturbedMotion& motion, double omega, double phase) {
-  Scene machine = at_speed(motion.machine, omega);
-  begin_turns_at_rest(machine);
-  machine.disturbance_phase = phase;
-  return machine;
-}
-
-double phase_in(const DisturbedMotion& motion, const DisturbedMotion& other, double phase) {
-  const double turn = full_circle * motion.machine.disturbance_frequency / motion.omega();
-  return phase + turn * (other.turns_before - motion.turns_before);
-}
-
-void watch(DisturbedMotion& motion, double phase) {
-  watch(motion, turn_at(motion, phase));
-}
-
-LongRun long_run_of(const DisturbedMotion& motion) {
-  if (!motion.moves) return {motion.machine, 0, 0, 0, 1};
-  std::vector<ObservedTurn> turns;
-  if (!motion.settled) {
-    turns = irregular_turns_of(motion.machine);
-  } else {
-    turns = observed_turns(motion.machine, even_phases(motion.first_phase), motion.turns_before, 1);
-  }
-  LongRun result{motion.machine, 0, 0, 0, 0};
-  const auto count = static_cast<double>(turns.size());
-  for (const ObservedTurn& observed : turns) {
-    result.collisions_per_turn += observed.turn.collisions / count;
-    result.energy_per_turn += observed.energy / count;
-    result.share_at_rest += observed.share_at_rest / count;
-    if (!observed.turn.speeds.empty()) {
-      result.fastest_impact = std::max(result.fastest_impact, observed.turn.speeds.front());
-    }
-  }
-  return result;
-}
-
-void observe(DisturbedMotion& motion) {
-  if (motion.settled || !motion.turns.empty()) return;
-  for (ObservedTurn& observed : irregular_turns_of(motion.machine)) {
-    motion.turns.push_back(std::move(observed.turn));
-  }
-  take_extremes(motion);
-}
-
-DisturbedMotion disturbed_motion(const Scene& scene) {
-  return motion_like(scene, nullptr);
-}
-
-DisturbedMotion followed(const DisturbedMotion& motion, double omega) {
-  return motion_like(at_speed(motion.machine, omega), &motion);
-}
-
-namespace {
-
-/// Rebounds slower than this share of the counting limit are summed: they are too slow for any
-/// margin above lowest_margin.
-constexpr double summed_rebounds = 1e-3;
+/// Rebounds slower than this share of the counting limit are summed where the force hardly changes:
+/// they are too slow for any margin above lowest_margin.
+constexpr double summed_rebounds = 0.1;
 
 /// Takes the impacts of the last turn.
 struct LastTurn : Observer {
@@ -289,63 +41,251 @@ struct LastTurn : Observer {
   }
 };
 
-}  // namespace
-
-std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
-                                           int before) {
-  std::vector<Scene> scenes(phases.size(), scene);
-  for (std::size_t k = 0; k < phases.size(); ++k) scenes[k].disturbance_phase = phases[k];
-  return turns_of(scenes, before);
+/// The turn that a simulation has ended with.
+DisturbedTurn turn_with(std::vector<Impact> impacts, double phase, double limit,
+                        const End<double>& end) {
+  DisturbedTurn turn{phase, std::move(impacts), {}, lowest_margin, 0, end.position, end.velocity};
+  for (const Impact& impact : turn.impacts) {
+    turn.margins.push_back(std::log(impact.speed / limit));
+    if (is_counted(impact.speed, limit)) ++turn.collisions;
+  }
+  if (!turn.margins.empty()) turn.first = turn.margins.front();
+  std::sort(turn.margins.begin(), turn.margins.end(), std::greater<>());
+  return turn;
 }
 
-std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before) {
-  std::vector<LastTurn> last(scenes.size());
+/// The last of `before` + 1 turns at each of these speeds and phases.
+std::vector<DisturbedTurn> last_turns(const Scene& scene, std::span<const SpeedAndPhase> places,
+                                      int before) {
+  std::vector<LastTurn> last(places.size());
+  Scene there = scene;
+  there.window = Revolutions{static_cast<double>(before + 1)};
   const auto model_at = [&](std::size_t k) {
-    Scene there = scenes[k];
-    there.window = Revolutions{static_cast<double>(before + 1)};
-    last[k].start = before * 2 * std::numbers::pi / there.omega;
-    last[k].slowest = std::exp(lowest_margin) * there.counting_limit;
-    return ImpactModel<double>(there, summed_rebounds * there.counting_limit);
+    const auto& [omega, phase] = places[k];
+    const double start = before * circle / omega;
+    there.phase = scene.phase;
+    there.omega = omega;
+    if (omega != scene.omega) begin_turns_at_rest(there);
+    there.disturbance_phase = phase - start * scene.disturbance_frequency;
+    last[k].start = start;
+    last[k].slowest = std::exp(lowest_margin) * scene.counting_limit;
+    return ImpactModel<double>(there, summed_rebounds * scene.counting_limit);
   };
-  std::vector<LaneOutcome> outcomes;
-  if (scenes.size() == 1) {
-    ImpactModel<double> model = model_at(0);
-    outcomes.push_back({model.run(last[0]), nullptr});
-  } else {
-    outcomes =
-        run_in_lanes(scenes.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
-  }
+  const auto outcomes =
+      run_in_lanes(places.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
   std::vector<DisturbedTurn> turns;
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
     if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
-    const Scene& scene = scenes[k];
-    const End<double>& end = outcomes[k].end;
-    DisturbedTurn turn{scene.disturbance_phase,
-                       std::move(last[k].impacts),
-                       {},
-                       0,
-                       end.position,
-                       end.velocity,
-                       false};
-    if (end.velocity == 0) {
-      turn.returns = end.position == scene.start_position;
-      if (end.position == scene.wall_lower) turn.rests_on = Wall::lower;
-      if (end.position == scene.wall_upper) turn.rests_on = Wall::upper;
-    }
-    for (const Impact& impact : turn.impacts) {
-      turn.speeds.push_back(impact.speed);
-      if (is_counted(impact.speed, scene.counting_limit)) ++turn.collisions;
-    }
-    std::sort(turn.speeds.begin(), turn.speeds.end(), std::greater<>());
-    turns.push_back(std::move(turn));
+    turns.push_back(turn_with(std::move(last[k].impacts), places[k].phase, scene.counting_limit,
+                              outcomes[k].end));
   }
   return turns;
 }
 
-double margin_of(const Scene& scene, const DisturbedTurn& turn, int rank) {
-  if (rank < 1 || rank > static_cast<int>(turn.speeds.size())) return lowest_margin;
-  const double speed = turn.speeds[static_cast<std::size_t>(rank - 1)];
-  return std::max(lowest_margin, std::log(speed / scene.counting_limit));
+constexpr std::size_t even_phases = 16;
+/// Numbers of turns whose rests erase the start, if it is not where turns start.
+constexpr int erasing_turns[] = {2, 8, 32};
+constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
+constexpr double same_margin = 1e-9;  // of turns that are the same
+constexpr std::size_t most_phases = 4000;
+constexpr double narrowest_gap = 1e-4;  // [rad]
+constexpr double slow = -1.5;           // margins that are lower are alike
+constexpr double near_limit = 1e-5;     // margins nearer to 0 are as near as this
+
+/// Whether two turns of one phase, from different starts, are the same: their starts are forgotten.
+bool are_same(const Scene& machine, const DisturbedTurn& a, const DisturbedTurn& b) {
+  if (a.collisions != b.collisions) return false;
+  // A carrier that friction holds in the gap remembers where, though nothing collides.
+  const double away = std::abs(a.end_position - b.end_position);
+  if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
+  const double faster = std::abs(a.end_velocity - b.end_velocity);
+  if (faster > same_end * machine.counting_limit) return false;
+  for (int rank = 1; rank <= a.collisions; ++rank) {
+    if (std::abs(a.margin(rank) - b.margin(rank)) > same_margin) return false;
+  }
+  return true;
+}
+
+/// By how much margins that are not slow differ at `c` from the line through those at `a` and `b`,
+/// which goes on by `ratio` of their distance.
+double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
+                    double ratio) {
+  const auto bend = [ratio](double at_a, double at_b, double at_c) {
+    const double x = std::max(at_a, slow), y = std::max(at_b, slow), z = std::max(at_c, slow);
+    return std::abs(z - y - ratio * (y - x));
+  };
+  double largest = bend(a.first, b.first, c.first);
+  const auto ranks = std::max({a.margins.size(), b.margins.size(), c.margins.size()});
+  for (int rank = 1; rank <= static_cast<int>(ranks); ++rank) {
+    largest = std::max(largest, bend(a.margin(rank), b.margin(rank), c.margin(rank)));
+  }
+  return largest;
+}
+
+/// Finds the turns of a motion, from a start at rest on a wall.
+class Settling {
+ public:
+  explicit Settling(DisturbedMotion& motion) : motion_(motion), machine_(motion.machine) {}
+
+  /// Whether turns depend on their phase alone, if they begin so many turns after that start.
+  bool settles(double wall, int before, std::span<const double> also) {
+    machine_.start_position = wall;
+    motion_.turns_before = before;
+    motion_.turns.clear();
+    // Other phases at other speeds: turns that few phases have are met at one of them.
+    const double shift = 20.6 * std::log(machine_.omega);
+    std::vector<double> even;
+    for (std::size_t k = 0; k < even_phases; ++k) {
+      even.push_back((static_cast<double>(k) + shift - std::floor(shift)) / even_phases * circle);
+    }
+    // Half of them may tell that they do not.
+    const std::span<const double> all = even;
+    if (!forgets(all.first(even_phases / 2)) || !forgets(all.last(even_phases / 2))) return false;
+    if (!take(also)) return false;
+    for (;;) {
+      sort();
+      const std::vector<double> middles = middles_of_gaps();
+      if (middles.empty()) return true;
+      motion_.resolved = motion_.turns.size() + middles.size() <= most_phases;
+      if (!motion_.resolved) return true;
+      if (!take(middles)) return false;
+    }
+  }
+
+  /// Takes the turns at some phases. False if the carrier does not return to where they begin.
+  bool take(std::span<const double> phases) {
+    std::vector<double> within(phases.begin(), phases.end());
+    for (double& phase : within) phase -= circle * std::floor(phase / circle);
+    std::vector<DisturbedTurn> turns = turns_at_phases(machine_, within, motion_.turns_before);
+    const bool return_all = std::all_of(turns.begin(), turns.end(), [&](const auto& turn) {
+      return turn.end_velocity == 0 && turn.end_position == machine_.start_position;
+    });
+    std::move(turns.begin(), turns.end(), std::back_inserter(motion_.turns));
+    return motion_.turns_before > 0 || return_all;
+  }
+
+  void sort() {
+    std::vector<DisturbedTurn>& turns = motion_.turns;
+    std::sort(turns.begin(), turns.end(),
+              [](const auto& a, const auto& b) { return a.phase < b.phase; });
+    const auto [least, most] = std::minmax_element(
+        turns.begin(), turns.end(),
+        [](const auto& a, const auto& b) { return a.collisions < b.collisions; });
+    motion_.least = least->collisions;
+    motion_.most = most->collisions;
+  }
+
+ private:
+  /// The same; false, too, if starts on both walls do not lead to the same.
+  bool forgets(std::span<const double> phases) {
+    const std::size_t first = motion_.turns.size();
+    if (!take(phases)) return false;
+    const int before = motion_.turns_before;
+    if (before == 0 || !std::isfinite(machine_.wall_upper)) return true;
+    Scene other = machine_;
+    const bool on_lower = machine_.start_position == machine_.wall_lower;
+    other.start_position = on_lower ? machine_.wall_upper : machine_.wall_lower;
+    const auto others = turns_at_phases(other, phases, before);
+    return std::equal(others.begin(), others.end(), motion_.turns.begin() + first,
+                      [&](const auto& a, const auto& b) { return are_same(machine_, a, b); });
+  }
+
+  const DisturbedTurn& turn(std::size_t k) const { return motion_.turns[k % motion_.turns.size()]; }
+  double gap_after(std::size_t k) const {
+    return turn(k + 1).phase - turn(k).phase + ((k + 1) % motion_.turns.size() == 0 ? circle : 0);
+  }
+
+  /// How far margins of both turns are from other counts.
+  double distance(const DisturbedTurn& a, const DisturbedTurn& b) const {
+    const int more = motion_.most + 1;
+    const double above = -std::max(a.margin(more), b.margin(more));
+    const int fewer = motion_.least;
+    const double below = fewer == 0 ? above : std::min(a.margin(fewer), b.margin(fewer));
+    return std::max(near_limit, std::min(above, below));
+  }
+
+  /// The middles of the gaps between phases in which other turns may hide: margins bend there by
+  /// more than they are away from other counts, or the count or the end of the turn jumps.
+  std::vector<double> middles_of_gaps() const {
+    const std::size_t count = motion_.turns.size();
+    const double apart = (machine_.wall_upper - machine_.wall_lower) / 2;
+    std::vector<double> middles;
+    for (std::size_t k = count; k < 2 * count; ++k) {
+      const double gap = gap_after(k);
+      if (gap <= narrowest_gap) continue;
+      // Beside a much narrower gap a jump is inside that.
+      const auto ratio = [&](double beside) {
+        return beside < gap / 2 ? 0 : std::min(1.0, gap / beside);
+      };
+      const auto &a = turn(k - 1), &b = turn(k), &c = turn(k + 1), &d = turn(k + 2);
+      const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
+                                   bend_between(d, c, b, ratio(gap_after(k + 1))));
+      const bool jumps = std::abs(b.collisions - c.collisions) > 1 ||
+                         std::abs(b.end_position - c.end_position) > apart;
+      if (jumps || bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
+    }
+    return middles;
+  }
+
+  DisturbedMotion& motion_;
+  Scene& machine_;
+};
+
+}  // namespace
+
+std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
+                                           int before) {
+  std::vector<SpeedAndPhase> places;
+  for (const double phase : phases) places.push_back({scene.omega, phase});
+  return last_turns(scene, places, before);
+}
+
+std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
+                                    std::span<const SpeedAndPhase> places) {
+  return last_turns(motion.machine, places, motion.turns_before);
+}
+
+const DisturbedTurn& extreme_turn(const DisturbedMotion& motion, int rank, Extreme extreme) {
+  const auto lower = [rank](const auto& a, const auto& b) {
+    return a.margin(rank) < b.margin(rank);
+  };
+  const auto& turns = motion.turns;
+  return extreme == Extreme::least ? *std::min_element(turns.begin(), turns.end(), lower)
+                                   : *std::max_element(turns.begin(), turns.end(), lower);
+}
+
+void begin_turns_at_rest(Scene& scene) {
+  const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
+  scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
+}
+
+DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also) {
+  DisturbedMotion motion{scene};
+  Scene& machine = motion.machine;
+  begin_turns_at_rest(machine);
+  machine.start_velocity = 0;
+  const double lower = machine.wall_lower, upper = machine.wall_upper;
+  const bool has_upper = std::isfinite(upper);
+  const bool pressed_down = release_margin(machine, lower) <= release_margin(machine, upper);
+  const double wall = pressed_down || !has_upper ? lower : upper;
+  machine.start_position = wall;
+  motion.moves = release_margin(machine, wall) > 0;
+  if (!motion.moves) return motion;
+  Settling settling(motion);
+  if (has_upper && settling.settles(upper, 0, also)) return motion;
+  if (settling.settles(lower, 0, also)) return motion;
+  for (const int before : erasing_turns) {
+    if (settling.settles(wall, before, also)) return motion;
+  }
+  motion.settled = false;
+  motion.turns.clear();
+  const std::vector<ObservedTurn> turns = irregular_turns(motion);
+  const auto [least, most] =
+      std::minmax_element(turns.begin(), turns.end(),
+                          [](const auto& a, const auto& b) { return a.collisions < b.collisions; });
+  motion.least = least->collisions;
+  motion.most = most->collisions;
+  return motion;
 }
 
 namespace {
@@ -353,17 +293,19 @@ namespace {
 /// What happens in the last turns of a window.
 class LastTurns : public Observer {
  public:
-  LastTurns(const Scene& scene, double phase, int before, int turns)
-      : scene_(scene), turn_(2 * std::numbers::pi / scene.omega), start_(turn_ * before) {
-    for (int k = 0; k < turns; ++k) turns_.push_back({{phase, {}, {}, 0}, 0, 0});
-  }
+  LastTurns(const Scene& scene, int before, int turns)
+      : scene_(scene),
+        turn_(circle / scene.omega),
+        start_(turn_ * before),
+        turns_(static_cast<std::size_t>(turns)) {}
 
   void impact(double time, Wall wall, double speed) {
-    ObservedTurn* observed = at(time);
-    if (observed == nullptr || speed <= 0) return;
-    observed->turn.speeds.push_back(speed);
-    observed->energy += impact_loss(scene_, wall) * speed * speed;
-    if (is_counted(speed, scene_.counting_limit)) ++observed->turn.collisions;
+    if (time < start_) return;
+    const auto k = static_cast<std::size_t>((time - start_) / turn_);
+    if (k >= turns_.size()) return;
+    turns_[k].fastest = std::max(turns_[k].fastest, speed);
+    turns_[k].energy += impact_loss(scene_, wall) * speed * speed;
+    if (is_counted(speed, scene_.counting_limit)) ++turns_[k].collisions;
   }
 
   template <class Path>
@@ -376,25 +318,24 @@ class LastTurns : public Observer {
     }
   }
 
-  std::vector<ObservedTurn> turns() {
-    for (ObservedTurn& observed : turns_) {
-      std::vector<double>& speeds = observed.turn.speeds;
-      std::sort(speeds.begin(), speeds.end(), std::greater<>());
-    }
-    return turns_;
-  }
+  const std::vector<ObservedTurn>& turns() const { return turns_; }
 
  private:
-  ObservedTurn* at(double time) {
-    if (time < start_) return nullptr;
-    const auto k = static_cast<std::size_t>((time - start_) / turn_);
-    return k < turns_.size() ? &turns_[k] : nullptr;
-  }
-
   const Scene& scene_;
   double turn_, start_;  // [s]
   std::vector<ObservedTurn> turns_;
 };
+
+constexpr int irregular_turn_count = 120;  // observed after as many
+constexpr std::size_t mean_phases = 8;
+
+std::vector<double> phases_from(double first, std::size_t count) {
+  std::vector<double> phases;
+  for (std::size_t k = 0; k < count; ++k) {
+    phases.push_back(first + circle * static_cast<double>(k) / static_cast<double>(count));
+  }
+  return phases;
+}
 
 }  // namespace
 
@@ -402,8 +343,7 @@ std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const dou
                                          int before, int turns) {
   Scene there = scene;
   there.window = Revolutions{static_cast<double>(before + turns)};
-  std::vector<LastTurns> last;
-  for (const double phase : phases) last.emplace_back(scene, phase, before, turns);
+  std::vector<LastTurns> last(phases.size(), LastTurns(scene, before, turns));
   const auto outcomes = run_in_lanes(
       phases.size(),
       [&](std::size_t k) {
@@ -414,9 +354,82 @@ std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const dou
   std::vector<ObservedTurn> all;
   for (std::size_t k = 0; k < phases.size(); ++k) {
     if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
-    for (ObservedTurn& observed : last[k].turns()) all.push_back(std::move(observed));
+    all.insert(all.end(), last[k].turns().begin(), last[k].turns().end());
   }
   return all;
+}
+
+std::vector<ObservedTurn> irregular_turns(const DisturbedMotion& motion) {
+  return observed_turns(motion.machine, std::span(&motion.machine.disturbance_phase, 1),
+                        irregular_turn_count, irregular_turn_count);
+}
+
+LongRun long_run_of(const DisturbedMotion& motion) {
+  if (!motion.moves) return {motion.machine, 0, 0, 0, 1};
+  const std::vector<ObservedTurn> turns =
+      motion.settled
+          ? observed_turns(motion.machine, phases_from(0, mean_phases), motion.turns_before, 1)
+          : irregular_turns(motion);
+  LongRun result{motion.machine, 0, 0, 0, 0};
+  const auto count = static_cast<double>(turns.size());
+  for (const ObservedTurn& turn : turns) {
+    result.collisions_per_turn += turn.collisions / count;
+    result.energy_per_turn += turn.energy / count;
+    result.share_at_rest += turn.share_at_rest / count;
+    result.fastest_impact = std::max(result.fastest_impact, turn.fastest);
+  }
+  if (!motion.settled) return result;
+  // Of all phases, each for those nearer to it than to others.
+  result.collisions_per_turn = 0;
+  double before = motion.turns.back().phase - circle;
+  for (std::size_t k = 0; k < motion.turns.size(); ++k) {
+    const DisturbedTurn& turn = motion.turns[k];
+    const bool is_last = k + 1 == motion.turns.size();
+    const double after = is_last ? motion.turns.front().phase + circle : motion.turns[k + 1].phase;
+    result.collisions_per_turn += turn.collisions * (after - before) / (2 * circle);
+    before = turn.phase;
+    const double fastest = std::exp(turn.margin(1)) * motion.machine.counting_limit;
+    if (!turn.margins.empty()) result.fastest_impact = std::max(result.fastest_impact, fastest);
+  }
+  return result;
+}
+
+namespace {
+
+constexpr int sampled_speeds = 24;
+
+SampledTurns sampled_at(const Scene& machine, double omega) {
+  Scene scene = at_speed(machine, omega);
+  scene.fidelity = Fidelity::impact;
+  begin_turns_at_rest(scene);
+  const auto phases =
+      phases_from(scene.disturbance_phase, is_disturbed(scene) ? sampled_phases : 1);
+  SampledTurns result{omega, 0, 0};
+  const auto turns = observed_turns(scene, phases, sampled_turns_each, sampled_turns_each);
+  for (const ObservedTurn& turn : turns) {
+    result.mean_per_turn += turn.collisions / static_cast<double>(turns.size());
+    result.most_per_turn = std::max(result.most_per_turn, turn.collisions);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double to) {
+  std::vector<SampledTurns> sampled;
+  try {
+    // A turn at a slow speed takes longest.
+    for (int k = sampled_speeds - 1; k >= 0; --k) {
+      report_progress("simulations at single speeds", 1 - (k + 1.0) / sampled_speeds);
+      const double omega =
+          k == sampled_speeds - 1 ? to : from * std::pow(to / from, k / (sampled_speeds - 1.0));
+      sampled.push_back(sampled_at(scene, omega));
+    }
+  } catch (const TimeLimitReached&) {
+    // The speeds that had time are returned.
+  }
+  std::reverse(sampled.begin(), sampled.end());
+  return sampled;
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

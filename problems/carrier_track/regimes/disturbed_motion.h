@@ -1,60 +1,47 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
+/// What a carrier does at one speed under a disturbance that does not repeat with the driver plate.
+/// In every turn the disturbance has another phase; over many turns all phases are equally
+/// frequent. Where a rest erases what was before, a turn depends on its phase alone: turns at many
+/// phases, simulated side by side, tell all that happens.
 namespace ricochet::carrier_track::inline regimes {
 
-/// What stands for the margin of an impact that is not there, or slower.
-inline constexpr double lowest_margin = -6;
+/// What stands for the margin of an impact that is not there, or slower: some of these are not
+/// simulated.
+inline constexpr double lowest_margin = -2;
 
 /// One turn of the driver plate under a disturbance.
 struct DisturbedTurn {
-  double phase;                 ///< [rad], of the disturbance at the start of the motion before
+  double phase;                 ///< [rad], of the disturbance at the start of the turn
   std::vector<Impact> impacts;  ///< by time, those of margins above lowest_margin
-  std::vector<double> speeds;   ///< [m/s], of these, the fastest first
+  std::vector<double> margins;  ///< ln(speed / counting limit) of these, the largest first
+  double first;                 ///< margin of the first of them by time, or lowest_margin
   int collisions;
-  double end_position = 0;            ///< [m]
-  double end_velocity = 0;            ///< [m/s]
-  bool returns = false;               ///< the carrier ends at rest where it started
-  std::optional<Wall> rests_on = {};  ///< the wall on which it ends at rest
+  double end_position, end_velocity;  ///< [m], [m/s]
+
+  /// That of the rank-th fastest impact, rank 1 the fastest; at least lowest_margin.
+  double margin(int rank) const {
+    const bool is_there = rank >= 1 && rank <= static_cast<int>(margins.size());
+    return is_there ? margins[static_cast<std::size_t>(rank - 1)] : lowest_margin;
+  }
 };
 
 /// The turns that follow on `before` turns from the start of a valid scene of fidelity impact, for
-/// these phases [rad] of its disturbance. Side by side, and without the last of a series of
-/// rebounds: impacts are exact where the carrier rests before it moves again.
+/// these phases [rad] of its disturbance at their start. Side by side, and without the last of a
+/// series of rebounds: impacts are exact where the carrier rests before it moves again.
 std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
                                            int before);
 
-/// The same of any such scenes that differ in their speed and in the phase of their disturbance.
-std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before);
-
-/// ln(speed / counting limit) of the rank-th fastest impact of a turn, rank 1 the fastest. At least
-/// lowest_margin.
-double margin_of(const Scene& scene, const DisturbedTurn& turn, int rank);
-
-// The motion of a machine in the long run under a disturbance that does not repeat with the driver
-// plate. In every turn the disturbance has another phase; over many turns all phases are equally
-// frequent.
-
-/// Which of the phases a margin is taken at.
-enum class Extreme { least, most };
-
-/// 1 or -1: makes the extreme the least.
-inline double sign_of(Extreme extreme) {
-  return extreme == Extreme::least ? 1 : -1;
-}
-
-/// A margin that was searched before.
-struct KnownMargin {
-  int rank;
-  Extreme extreme;
-  double value;
-  double phase;  ///< [rad]
+/// A speed [rad/s] and a phase [rad].
+struct SpeedAndPhase {
+  double omega, phase;
 };
 
 struct DisturbedMotion {
@@ -62,20 +49,21 @@ struct DisturbedMotion {
   /// earlier, whose rests erase the start.
   Scene machine;
   int turns_before = 0;
-  bool settled =
-      true;  ///< a turn depends on its phase alone, because a rest erases what was before
+  bool settled = true;  ///< a turn depends on its phase alone
   bool moves = true;
-  double first_phase = 0;  ///< [rad], of the evenly spaced ones
-  /// Over evenly spaced phases. If not settled, none before observe(), then successive ones.
-  std::vector<DisturbedTurn> turns = {};
-  /// Turns with fewer or more collisions than those, at phases next to which no even phase is.
-  std::vector<DisturbedTurn> watched = {};
-  int least = 0, most = 0;  ///< collisions in a turn, over all phases
-
-  mutable std::vector<KnownMargin> known = {};  ///< of these turns
+  /// False if more phases than are simulated would be needed to know the fewest and the most.
+  bool resolved = true;
+  std::vector<DisturbedTurn> turns = {};  ///< by phase, of a motion that is settled and moves
+  int least = 0, most = 0;                ///< collisions in a turn, over all phases
 
   double omega() const { return machine.omega; }
 };
+
+/// Which of the phases a margin is taken at.
+enum class Extreme { least, most };
+
+/// The turn of a motion in which the margin of that rank is extreme.
+const DisturbedTurn& extreme_turn(const DisturbedMotion& motion, int rank, Extreme extreme);
 
 /// Whether a force of its own frequency shakes the carrier: a disturbance of frequency 0 is
 /// constant.
@@ -84,42 +72,50 @@ inline bool is_disturbed(const Scene& scene) {
 }
 
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
-DisturbedMotion disturbed_motion(const Scene& scene);
+/// It is simulated at even phases, at those in `also` [rad], and between phases whose turns differ
+/// so much that turns with fewer or more collisions may hide there, down to 1e-4 rad.
+DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also = {});
+
+/// The turns of a settled motion at another speed [rad/s] and at other phases.
+std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
+                                    std::span<const SpeedAndPhase> places);
 
 /// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
 /// in every half turn then rests.
 void begin_turns_at_rest(Scene& scene);
 
-/// The same at another speed [rad/s], near that of `motion`; at other even phases, and at those at
-/// which `motion` has its fewest and its most collisions.
-DisturbedMotion followed(const DisturbedMotion& motion, double omega);
-
-/// The phase [rad] at which a motion has the turn that another one, of the same machine near its
-/// speed, has at `phase`: they may start other numbers of turns earlier.
-double phase_in(const DisturbedMotion& motion, const DisturbedMotion& other, double phase);
-
-/// Lets a motion that is settled watch the turn at another phase [rad].
-void watch(DisturbedMotion& motion, double phase);
-
-/// Simulates many turns of a motion that is not settled, and counts them.
-void observe(DisturbedMotion& motion);
-
-/// The turn at another phase [rad] of the disturbance, of a motion that is settled.
-DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
-
-/// The machine whose start leads to that turn, at another speed [rad/s].
-Scene machine_at(const DisturbedMotion& motion, double omega, double phase);
-
-/// A turn with all that is told of it.
+/// A turn, simulated to the last rebound.
 struct ObservedTurn {
-  DisturbedTurn turn;
+  int collisions;
+  double fastest;        ///< [m/s], 0 without impacts
   double energy;         ///< [J], that the walls take
   double share_at_rest;  ///< of the time
 };
 
 /// The `turns` turns that follow on `before` turns from the start of a valid scene of fidelity
-/// impact, for each of these phases [rad] of its disturbance; simulated to the last rebound.
+/// impact, for each of these phases [rad] of its disturbance there.
 std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
                                          int before, int turns);
+
+/// The turns that are observed of a motion that does not settle, one after the other.
+std::vector<ObservedTurn> irregular_turns(const DisturbedMotion& motion);
+
+/// Over the phases; energy and rest are those of eight. If it is not settled, of irregular_turns().
+LongRun long_run_of(const DisturbedMotion& motion);
+
+/// The collisions in a turn at one speed, as simulated from some phases of the disturbance: turns
+/// that fewer phases have are missed.
+struct SampledTurns {
+  double omega;  ///< [rad/s]
+  double mean_per_turn;
+  int most_per_turn;
+};
+
+inline constexpr int sampled_phases = 24;
+inline constexpr int sampled_turns_each = 20;  ///< after as many to settle
+
+/// Simulates turns of a valid scene with regimes (has_regimes) at speeds [rad/s] with equal ratios,
+/// from `from` to `to`, both included. If a TimeLimit is reached, the slower speeds are missing.
+std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double to);
 
 }  // namespace ricochet::carrier_track::inline regimes

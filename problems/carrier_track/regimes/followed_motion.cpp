@@ -21,10 +21,6 @@ namespace {
 /// Impacts this much slower than the counting limit, in logarithms, matter to no border nearby.
 constexpr double far_below = 3;
 
-/// The step of the speed, relative, that the slope of a margin is taken over where it has no exact
-/// derivative.
-constexpr double slope_step = 1e-5;
-
 /// A series of impacts ends in a rest if its last is this slow, relative to the counting limit.
 constexpr double end_of_series = 1e-3;
 
@@ -56,36 +52,18 @@ std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank) {
 Signature signature_of(const SteadyMotion& motion) {
   const bool settled =
       motion.settled && (motion.rest != Rest::never || motion.impacts.empty() || motion.stable());
-  if (!settled)
-    return {0, 0, 0, false, false, true};  // whatever it does, it does not keep doing so
-  return {motion.turns,
-          motion.collisions,
-          motion.collisions,
-          true,
+  if (!settled) return {0, 0, false, false, true};  // whatever it does, it does not keep doing so
+  return {motion.turns, motion.collisions, true,
           motion.rest == Rest::in_the_gap || motion.rest == Rest::on_a_wall,
           motion.rest != Rest::always};
 }
 
-double collisions_per_turn(const SteadyMotion& motion) {
-  return motion.collisions_per_turn();
-}
-
-double collisions_per_turn(const DisturbedMotion& motion) {
-  double sum = 0;
-  for (const DisturbedTurn& turn : motion.turns) sum += turn.collisions;
-  return sum / static_cast<double>(motion.turns.size());
-}
-
-double rank_margin(const SteadyMotion& motion, int rank, Extreme /*extreme*/) {
+double rank_margin(const SteadyMotion& motion, int rank) {
+  constexpr double least = -6;
   const std::optional<std::size_t> place = place_of_rank(motion, rank);
-  if (!place) return lowest_margin;
+  if (!place) return least;
   const double speed = motion.impacts[*place].speed;
-  return std::max(std::log(speed / motion.orbit.counting_limit), lowest_margin);
-}
-
-Signature signature_of(const DisturbedMotion& motion) {
-  if (!motion.settled) return {0, 0, 0, false, false, true};
-  return {1, motion.least, motion.most, true, motion.moves, motion.moves};
+  return std::max(std::log(speed / motion.orbit.counting_limit), least);
 }
 
 bool is_near(const SteadyMotion& a, const SteadyMotion& b) {
@@ -101,10 +79,6 @@ bool is_near(const SteadyMotion& a, const SteadyMotion& b) {
     std::rotate(second.begin(), second.begin() + 1, second.end());
   }
   return second.empty();
-}
-
-bool is_near(const DisturbedMotion& /*a*/, const DisturbedMotion& /*b*/) {
-  return true;
 }
 
 Margins margins_of(const SteadyMotion& motion) {
@@ -132,39 +106,6 @@ Margins margins_of(const SteadyMotion& motion) {
       place = 0;
     }
   }
-  return margins;
-}
-
-Margins margins_of(const DisturbedMotion& motion) {
-  Margins margins;
-  if (!motion.settled || !motion.moves) return margins;
-  struct Watched {
-    int rank;
-    Extreme extreme;
-    PhaseMargin margin;
-  };
-  std::vector<Watched> watched;
-  std::vector<double> phases;
-  for (const Extreme extreme : {Extreme::least, Extreme::most}) {
-    const int collisions = extreme == Extreme::least ? motion.least : motion.most;
-    for (const int rank : {collisions, collisions + 1}) {
-      const PhaseMargin margin = sampled_margin(motion, rank, extreme);
-      if (rank == 0 || margin.value < -far_below) continue;
-      watched.push_back({rank, extreme, margin});
-      phases.push_back(margin.phase);
-    }
-  }
-  // Where a margin is extreme, it changes with the speed as it does at that phase.
-  const Scene faster = at_speed(motion.machine, motion.omega() * (1 + slope_step));
-  const std::vector<DisturbedTurn> turns = turns_at_phases(faster, phases, motion.turns_before);
-  for (std::size_t i = 0; i < watched.size(); ++i) {
-    const auto& [rank, extreme, margin] = watched[i];
-    const auto here = std::find_if(motion.turns.begin(), motion.turns.end(),
-                                   [&](const auto& turn) { return turn.phase == phases[i]; });
-    const double rise = margin_of(faster, turns[i], rank) - margin_of(faster, *here, rank);
-    margins.known.push_back({margin.value, rise / slope_step, i, 0});
-  }
-  margins.structure.push_back(margins.known.size());
   return margins;
 }
 

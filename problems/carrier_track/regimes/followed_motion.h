@@ -10,19 +10,18 @@
 
 #include "problems/carrier_track/motion/dual_simulation.h"
 #include "problems/carrier_track/motion/observer.h"
-#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "ricochet/machine.h"
 #include "ricochet/problem.h"
 #include "ricochet/scene.h"
 
-/// What is watched of a motion while the speed changes, whether it repeats or is disturbed.
+/// What is watched of a motion that repeats while the speed changes.
 namespace ricochet::carrier_track::inline regimes {
 
 /// What stays the same within a regime.
 struct Signature {
-  int turns;        ///< in a period
-  int least, most;  ///< collisions in a period
+  int turns;       ///< in a period
+  int collisions;  ///< in a period
   bool settled;
   bool rests;
   bool moves;
@@ -41,7 +40,7 @@ struct Margin {
   double value;
   double slope;  ///< per unit of the logarithm of the speed
   /// Which impact of the period: the series of impacts on one wall that it belongs to, and its
-  /// place there. Under a disturbance, which extreme.
+  /// place there.
   std::size_t series = 0, place = 0;
 };
 
@@ -54,35 +53,23 @@ struct Margins {
 };
 
 Signature signature_of(const SteadyMotion& motion);
-Signature signature_of(const DisturbedMotion& motion);
-
-/// Makes sure that the collisions of a motion are known.
-inline void observe(SteadyMotion& /*motion*/) {}
-
-/// The mean.
-double collisions_per_turn(const SteadyMotion& motion);
-double collisions_per_turn(const DisturbedMotion& motion);
 
 /// The place among a period's impacts of the `rank`-th fastest, rank 1 the fastest; nothing if
 /// there are fewer.
 std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank);
 
 /// ln(speed / counting limit) of the `rank`-th fastest impact of a period, rank 1 the fastest: it
-/// counts if that is > 0. At least lowest_margin.
-double rank_margin(const SteadyMotion& motion, int rank, Extreme extreme = Extreme::most);
+/// counts if that is > 0. At least -6, also where there is no such impact.
+double rank_margin(const SteadyMotion& motion, int rank);
 
-/// The margins of all impacts that are not far slower than the counting limit; under a disturbance,
-/// those of the slowest that counts and of the fastest that does not.
+/// The margins of all impacts that are not far slower than the counting limit.
 Margins margins_of(const SteadyMotion& motion);
-Margins margins_of(const DisturbedMotion& motion);
 
 /// Whether two motions of equal signature at speeds next to each other have the same collisions,
 /// with speeds that differ by at most some 20 %.
 bool is_near(const SteadyMotion& a, const SteadyMotion& b);
-bool is_near(const DisturbedMotion& a, const DisturbedMotion& b);
 
 LongRun long_run_of(const SteadyMotion& motion);
-LongRun long_run_of(const DisturbedMotion& motion);
 
 // Exact derivatives of a periodic motion, by dual numbers.
 

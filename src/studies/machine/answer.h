@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/quiet_speed.h"
-#include "problems/carrier_track/regimes/sampled_turns.h"
+#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
 #include "src/report/json.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/regime_map.h"
-#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "ricochet/machine.h"
 #include "src/report/json.h"
 #include "src/report/table.h"

@@ -19,7 +19,7 @@ namespace ricochet::carrier_track {
 namespace {
 
 /// The border of a machine like the default one beyond which a turn has more than two collisions.
-Border<SteadyMotion> louder_than_two(const Scene& machine) {
+Border louder_than_two(const Scene& machine) {
   const SteadyMotion slow = steady_motion(at_speed(machine, 4.0));
   return first_border(slow, followed(slow, 16.0));
 }
@@ -77,7 +77,7 @@ TEST(BorderCurve, FollowsTheReleaseByItsClosedForm) {
 }
 
 /// The shaken table's orbit at the speed from which its period doubles.
-Border<SteadyMotion> flip_of(double e) {
+Border flip_of(double e) {
   using namespace shaken_table;
   const double flip = flip_strength(e);
   const SteadyMotion orbit = steady_motion(on_orbit(e, 0.98 * flip));

@@ -4,10 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <utility>
+#include <vector>
 
-#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/regimes/steady_motion.h"
+#include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/machine.h"
+#include "ricochet/machine.h"
+#include "tests/carrier_track/regimes/long_simulation.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {
@@ -20,106 +27,138 @@ Scene disturbed(double disturbance, double omega) {
   return machine;
 }
 
+std::vector<double> even_phases(int count) {
+  std::vector<double> phases;
+  for (int k = 0; k < count; ++k) phases.push_back(2 * std::numbers::pi * k / count);
+  return phases;
+}
+
+/// The fewest and the most collisions of the turns at many phases.
+std::pair<int, int> extremes_of(const DisturbedMotion& motion, int phases) {
+  const auto turns = turns_at_phases(motion.machine, even_phases(phases), motion.turns_before);
+  const auto [least, most] = std::ranges::minmax_element(turns, {}, &DisturbedTurn::collisions);
+  return {least->collisions, most->collisions};
+}
+
+TEST(DisturbedTurn, HasTheImpactsOfASimulationToTheLastRebound) {
+  Scene machine = disturbed(0.3, 6);
+  machine.restitution_lower = machine.restitution_upper = 0.9;
+  machine = disturbed_motion(machine).machine;
+  for (const int before : {0, 2}) {
+    const auto phases = even_phases(10);
+    const auto turns = turns_at_phases(machine, phases, before);
+    ASSERT_EQ(turns.size(), phases.size());
+    for (std::size_t k = 0; k < phases.size(); ++k) {
+      EXPECT_EQ(turns[k].phase, phases[k]);
+      const double earlier = 2 * std::numbers::pi * before * machine.disturbance_frequency / 6;
+      const double start = phases[k] - earlier;
+      const ObservedTurn observed = observed_turns(machine, {&start, 1}, before, 1)[0];
+      EXPECT_EQ(turns[k].collisions, observed.collisions);
+      EXPECT_NEAR(std::log(observed.fastest / machine.counting_limit), turns[k].margin(1), 1e-12);
+      // Those too slow to count that a margin can be taken of are there, too.
+      ASSERT_GT(turns[k].margins.size(), static_cast<std::size_t>(turns[k].collisions));
+      EXPECT_EQ(turns[k].impacts.size(), turns[k].margins.size());
+      EXPECT_GT(turns[k].margins.back(), lowest_margin);
+      EXPECT_EQ(turns[k].margin(1000), lowest_margin);
+    }
+  }
+}
+
+TEST(DisturbedTurn, IsTheSameAloneAsBesideOthers) {
+  const Scene machine = disturbed_motion(disturbed(1, 8.1)).machine;
+  const std::vector<double> phases = {0.1, 1.2, 2.3};
+  const auto together = turns_at_phases(machine, phases, 0);
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    EXPECT_EQ(together[k].margins, turns_at_phases(machine, {&phases[k], 1}, 0).front().margins);
+  }
+}
+
+TEST(ObservedTurn, HasTheNumbersOfTheOrbitWhereNothingDisturbs) {
+  Scene machine = default_machine();
+  machine.omega = 7;
+  const SteadyMotion motion = steady_motion(machine);
+  const auto turns = observed_turns(motion.orbit, even_phases(2), 1, 3);
+  ASSERT_EQ(turns.size(), 6U);
+  for (const ObservedTurn& observed : turns) {
+    EXPECT_EQ(observed.collisions, motion.collisions);
+    EXPECT_NEAR(observed.energy / motion.energy, 1, 1e-9);
+    EXPECT_NEAR(observed.share_at_rest, motion.share_at_rest, 1e-9);
+    EXPECT_NEAR(observed.fastest / motion.fastest_impact(), 1, 1e-9);
+  }
+}
+
 TEST(DisturbedMotion, CountsAsManyAsALongSimulation) {
   for (const double omega : {2.6123, 5.0123, 7.7123, 9.8123, 15.0123}) {
     const DisturbedMotion motion = disturbed_motion(disturbed(1.0, omega));
     ASSERT_TRUE(motion.settled) << omega;
-    EXPECT_DOUBLE_EQ(collisions_in_the_long_run(motion.machine, omega, 700, 600),
-                     collisions_per_turn(motion));
     EXPECT_EQ(motion.least, motion.most);
+    EXPECT_EQ(collisions_in_the_long_run(motion.machine, omega, 700, 600), motion.most);
+    EXPECT_EQ(long_run_of(motion).collisions_per_turn, motion.most);
   }
 }
 
 TEST(DisturbedMotion, KnowsTheLeastAndTheMostOfAllPhases) {
   // Between 8.06 and 8.09 rad/s the phase decides which rebounds count.
-  const Scene machine = disturbed(1.0, 8.0779);
-  const DisturbedMotion motion = disturbed_motion(machine);
+  const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 8.0779));
   ASSERT_TRUE(motion.settled);
-  int least = 100;
-  int most = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const DisturbedTurn turn = turn_at(motion, 2 * std::numbers::pi * k / 2000);
-    least = std::min(least, turn.collisions);
-    most = std::max(most, turn.collisions);
-  }
-  EXPECT_EQ(motion.least, least);
-  EXPECT_EQ(motion.most, most);
-  EXPECT_LT(least, most);
+  EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 2000));
+  EXPECT_LT(motion.least, motion.most);
+  EXPECT_EQ(extreme_turn(motion, motion.most, Extreme::most).collisions, motion.most);
+  EXPECT_EQ(extreme_turn(motion, motion.least + 1, Extreme::least).collisions, motion.least);
 }
 
-TEST(DisturbedMotion, KnowsTheExtremesWhereImpactsAppearWithinAFewPhases) {
-  // Counted at 40,000 phases.
-  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(27), 7.9598)).most, 13);
-  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(50), 5.2931)).least, 2);
-}
-
-TEST(DisturbedMotion, IsTheSameFollowedFromAnotherSpeed) {
-  for (const double omega : {1.6, 3.0, 7.7, 8.0779}) {
-    const DisturbedMotion here = disturbed_motion(disturbed(1.0, omega));
-    const DisturbedMotion there = followed(disturbed_motion(disturbed(1.0, omega * 0.99)), omega);
-    EXPECT_EQ(there.settled, here.settled) << omega;
-    EXPECT_EQ(there.least, here.least) << omega;
-    EXPECT_EQ(there.most, here.most) << omega;
-    EXPECT_EQ(there.turns_before, here.turns_before) << omega;
-    EXPECT_EQ(there.machine.start_position, here.machine.start_position) << omega;
+TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
+  struct Rare {
+    std::uint64_t seed;
+    double omega;
+  };
+  // Where margins change much from phase to phase, where impacts appear and vanish between two even
+  // phases, where a turn begins after an impact.
+  for (const auto& [seed, omega] :
+       {Rare{30, 0.870569255}, Rare{42, 2.132245922}, Rare{18, 0.7404758458},
+        Rare{51, 0.5759682684}, Rare{27, 7.9598}, Rare{50, 5.2931}}) {
+    const DisturbedMotion motion = disturbed_motion(at_speed(random_disturbed_machine(seed), omega));
+    ASSERT_TRUE(motion.settled);
+    EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 4000)) << seed;
+    EXPECT_NE(std::pair(motion.least, motion.most), extremes_of(motion, 16)) << seed;
   }
 }
 
-TEST(DisturbedMotion, LooksAtOtherPhasesAtTheNextSpeed) {
-  const DisturbedMotion here = disturbed_motion(disturbed(1.0, 7.7));
-  const DisturbedMotion there = followed(here, 7.71);
-  ASSERT_EQ(here.turns.size(), there.turns.size());
-  const double step = 2 * std::numbers::pi / static_cast<double>(here.turns.size());
-  const double shift = std::abs(there.turns.front().phase - here.turns.front().phase);
-  EXPECT_GT(shift, 0.2 * step);
-  EXPECT_LT(shift, 0.8 * step);
+TEST(DisturbedMotion, LooksAtOtherPhasesToo) {
+  // One phase in six thousand has one collision.
+  const double rare = 4.227;
+  const Scene machine = at_speed(random_disturbed_machine(10), 1.43634);
+  const DisturbedMotion motion = disturbed_motion(machine, {&rare, 1});
+  EXPECT_EQ(motion.least, 1);
+  EXPECT_EQ(extremes_of(motion, 1000).first, 2);
 }
 
-TEST(DisturbedMotion, KnowsTheSameTurnByItsPhaseFromAnotherStart) {
+TEST(DisturbedMotion, HasTheSameTurnsAfterMoreTurns) {
   const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 7.7));
-  DisturbedMotion earlier = motion;
-  earlier.turns_before = motion.turns_before + 2;
-  const DisturbedTurn here = turn_at(motion, 1.0);
-  const DisturbedTurn there = turn_at(earlier, phase_in(earlier, motion, 1.0));
-  ASSERT_EQ(here.collisions, there.collisions);
-  ASSERT_GT(here.collisions, 0);
-  EXPECT_NEAR(here.speeds[0] / there.speeds[0], 1, 1e-9);
-}
-
-TEST(DisturbedMotion, WatchesAPhaseWhileNoEvenOneTellsOfIt) {
-  // Up to 2.89778 rad/s some phases near 2.32 rad have a turn without collisions.
-  const auto& cases = all_cases();
-  const auto found =
-      std::find_if(cases.begin(), cases.end(), [](const auto& one) { return one.id == "C7"; });
-  DisturbedMotion motion = disturbed_motion(at_speed(scene_of(*found, default_machine()), 2.8973));
-  motion.least = 1;
-  motion.watched.clear();
-  watch(motion, 2.317);
-  EXPECT_EQ(motion.least, 0);
-  EXPECT_EQ(followed(motion, 2.8975).least, 0);
-  EXPECT_EQ(followed(motion, 2.8985).least, 1);
-  EXPECT_TRUE(followed(motion, 2.8985).watched.empty());
+  const double phase = 1.0;
+  const auto here = turns_at_phases(motion.machine, {&phase, 1}, motion.turns_before);
+  const auto later = turns_at_phases(motion.machine, {&phase, 1}, motion.turns_before + 2);
+  ASSERT_GT(here[0].collisions, 0);
+  EXPECT_NEAR(here[0].margin(1), later[0].margin(1), 1e-9);
 }
 
 TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrier) {
   // Most turns have no collision, so that those of two starts are alike though the carrier stands
   // at other places in the gap.
-  Scene machine = disturbed(0.1, 1.3865);
-  const DisturbedMotion motion = disturbed_motion(machine);
+  const DisturbedMotion motion = disturbed_motion(disturbed(0.1, 1.3865));
   EXPECT_GT(collisions_in_the_long_run(motion.machine, 1.3865, 6000, 5000), 0);
   EXPECT_TRUE(!motion.settled || motion.most > 0);
 }
 
 TEST(DisturbedMotion, ForgetsItsStartAtEveryPhase) {
   // After two turns one phase in fifty still tells two starts apart.
-  Scene machine = scene_of(find_case("C9"), default_machine());
+  const Scene machine = scene_of(find_case("C9"), default_machine());
   const DisturbedMotion motion = disturbed_motion(at_speed(machine, 0.7302));
   const auto turns =
       observed_turns(motion.machine, {&motion.machine.disturbance_phase, 1}, 60, 1000);
-  const auto [least, most] = std::ranges::minmax_element(
-      turns, {}, [](const ObservedTurn& observed) { return observed.turn.collisions; });
-  EXPECT_EQ(motion.least, least->turn.collisions);
-  EXPECT_EQ(motion.most, most->turn.collisions);
+  const auto [least, most] = std::ranges::minmax_element(turns, {}, &ObservedTurn::collisions);
+  EXPECT_EQ(motion.least, least->collisions);
+  EXPECT_EQ(motion.most, most->collisions);
 }
 
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
@@ -129,6 +168,28 @@ TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
   const double release = std::sqrt((held - 0.5) / radius);
   EXPECT_FALSE(disturbed_motion(disturbed(0.5, release * (1 - 1e-9))).moves);
   EXPECT_TRUE(disturbed_motion(disturbed(0.5, release * (1 + 1e-9))).moves);
+}
+
+/// Of machines whose regimes are known: what is simulated is within them, and nearly all of it is
+/// reached.
+TEST(SampledTurns, AreThoseOfTheRegimes) {
+  for (const char* name : {"C1", "C3", "C5", "C9"}) {
+    const Scene scene = scene_of(find_case(name), default_machine());
+    const auto regimes = regimes_of(scene, {2, 6});
+    int compared = 0;
+    const auto sampled = sampled_turns(scene, 2, 6);
+    ASSERT_EQ(sampled.size(), 24U);
+    EXPECT_EQ(sampled.front().omega, 2);
+    EXPECT_EQ(sampled.back().omega, 6);
+    for (const SampledTurns& turns : sampled) {
+      const Regime& regime = regime_at(regimes, turns.omega);
+      if (!regime.certain) continue;
+      ++compared;
+      EXPECT_LE(turns.most_per_turn, regime.most_per_turn) << name << ", " << turns.omega;
+      EXPECT_NEAR(turns.most_per_turn, regime.most_per_turn, 1) << name << ", " << turns.omega;
+    }
+    EXPECT_GT(compared, 12) << name;
+  }
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ class Check {
     there.start_position = machine_.start_position;
     there.start_velocity = machine_.start_velocity;
     for (const auto& one : observed_turns(there, {&there.disturbance_phase, 1}, before, observed)) {
-      counts.push_back(one.turn.collisions);
+      counts.push_back(one.collisions);
     }
     const auto [least, most] = std::ranges::minmax(counts);
     compare(regime, omega, least, most);

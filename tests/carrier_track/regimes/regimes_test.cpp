@@ -384,10 +384,11 @@ TEST(Regimes, CountWhatFewPhasesOfADisturbanceHave) {
       if (!motion.settled) continue;
       int least = 1000;
       int most = 0;
-      for (int k = 0; k < 4000; ++k) {
-        const int count = turn_at(motion, 2 * std::numbers::pi * k / 4000).collisions;
-        least = std::min(least, count);
-        most = std::max(most, count);
+      std::vector<double> phases;
+      for (int k = 0; k < 4000; ++k) phases.push_back(2 * std::numbers::pi * k / 4000);
+      for (const auto& turn : turns_at_phases(motion.machine, phases, motion.turns_before)) {
+        least = std::min(least, turn.collisions);
+        most = std::max(most, turn.collisions);
       }
       EXPECT_EQ(regime.least_per_turn, least) << seed << " at " << middle;
       EXPECT_EQ(regime.most_per_turn, most) << seed << " at " << middle;

@@ -11,9 +11,10 @@ int main(int argc, char** argv) {
       line.add(cli::reproduction.command, cli::reproduction.summary,
                "  ricochet reproduce                      writes reports/reproduction/index.html\n"
                "  ricochet reproduce --quick --out first  a first look, in seconds");
-  const auto options = cli::add_study_options(command, studies::reproduction_study());
+  const auto options = cli::add_study_options(command, studies::reproduction_study({}, {}));
   line.on_call(command, [options] {
-    cli::tell(studies::run(studies::reproduction_study(), options->quick, options->out));
+    const studies::Study study = studies::reproduction_study(options->out, cli::provenance());
+    cli::tell(studies::run(study, options->quick, options->out));
     return 0;
   });
   line.add_description();

@@ -140,10 +140,17 @@ TEST_F(EntryScript, InstallsTheSameSolversForAllThatRunsThem) {
   for (const char* command : {"compare", "run", "solve", "test --sanitize"}) {
     EXPECT_EQ(of(command), of("test")) << command;
   }
-  // They run no solver; these take 650 MB.
+  // The plan of the main job has no solver of these, which take 650 MB.
   for (const char* command : {"reproduce", "threshold"}) {
     EXPECT_FALSE(of(command).contains("libdlib-dev")) << command;
     EXPECT_FALSE(of(command).contains("petsc-dev")) << command;
+  }
+  for (const char* plan : {"reproduction", "reproduction_quick"}) {
+    const std::string text_of_plan =
+        read(fs::path(RICOCHET_SOURCE) / "reports/plans" / (std::string(plan) + ".toml"));
+    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("dlib")));
+    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("tao-")));
+    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("\"*\"")));
   }
 }
 

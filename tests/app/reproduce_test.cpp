@@ -20,6 +20,7 @@ TEST(Reproduce, WritesAReportThatStandsAlone) {
   EXPECT_EQ(html.find("<img"), std::string::npos);
   const std::string summary = read(folder / "summary.md");
   EXPECT_THAT(summary, HasSubstr("| C12 |"));
+  EXPECT_THAT(summary, HasSubstr("fireworks"));
   EXPECT_TRUE(std::filesystem::exists(folder / "c1-count.svg"));
   EXPECT_TRUE(std::filesystem::exists(folder / "c1-loud.svg"));
 }

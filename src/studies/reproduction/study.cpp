@@ -206,12 +206,14 @@ void add_conclusions(const Table& grid, report::Results& results) {
 
 namespace ricochet::studies {
 
-Study reproduction_study() {
+Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance) {
   using reproduction::StudyPlan;
-  return {"reproduction", "A coarser study, in seconds", [](bool quick) {
+  return {"reproduction", "A coarser study, in seconds", [=](bool quick) {
             const StudyPlan plan =
                 quick ? StudyPlan{{1e-2, 1}, 0.2, true} : StudyPlan{{1e-3, 10}, 0.05, false};
-            return json_of(reproduction::results_of(plan));
+            report::Results results = reproduction::results_of(plan);
+            reproduction::add_solvers(quick, folder / "comparison.sqlite", provenance, results);
+            return json_of(results);
           }};
 }
 

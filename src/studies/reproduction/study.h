@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,14 +9,16 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
+#include "src/experiment/stored_campaign.h"
 #include "src/report/results.h"
 #include "src/report/site/study.h"
 #include "src/studies/paper/interpretation.h"
 
 namespace ricochet::studies {
 
-/// Computes the cases of the paper and compares them with its claims.
-Study reproduction_study();
+/// Computes the cases of the paper and compares them with its claims, and solvers on problems of
+/// these cases. The runs of the solvers are stored in comparison.sqlite in this folder.
+Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance);
 
 }  // namespace ricochet::studies
 
@@ -47,7 +50,8 @@ struct CaseStudy {
 std::vector<CaseStudy> study_cases(const carrier_track::Scene& interpretation,
                                    const carrier_track::ScanOptions& options);
 
-/// What the page reproduction.md is filled with. It depends only on the plan.
+/// What the page reproduction.md is filled with, but for the comparison of solvers. It depends only
+/// on the plan.
 report::Results results_of(const StudyPlan& plan);
 
 // The sections of the page: each adds its values, tables and charts. Speeds are in rad/s, errors
@@ -107,6 +111,12 @@ OrderBound concave_bound(const std::vector<double>& three, double share);
 /// closed form, on the error of ln(threshold) if thresholds are ordered as the paper concludes, if
 /// they fall in proportion to the disturbance or faster, and if they do not depend on it.
 void add_bounds(report::Results& results);
+
+/// The best solvers of each family of problems, and the paper's, by reports/plans/reproduction.toml
+/// or reproduction_quick.toml. Computes the runs that are missing in the store, which is replaced
+/// if it is of another plan, program or data.
+void add_solvers(bool quick, const std::filesystem::path& store, const Provenance& provenance,
+                 report::Results& results);
 
 /// The interpretation's parameters.
 void add_interpretation(const carrier_track::FittedInterpretation& interpretation,

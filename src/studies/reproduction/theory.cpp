@@ -191,9 +191,6 @@ void add_theory(const std::vector<CaseStudy>& cases, report::Results& results) {
   results.set("formula.explained", fit ? fit->errors.explained : std::nullopt);
   results.set("formula.error", fit ? share_of(fit->errors.rms) : std::nullopt);
   results.set("formula.left_out", fit ? share_of(fit->left_out) : std::nullopt);
-  results.set("bouncing", std::ranges::count_if(cases, [](const CaseStudy& c) {
-                return sustained_bouncing_speed(c.scene).has_value();
-              }));
 }
 
 namespace {

@@ -53,6 +53,13 @@ Series points_of(std::string_view label) {
   return {std::string(label), Mark::points, {}};
 }
 
+/// Columns whose names say all.
+std::vector<Column> columns_of(std::initializer_list<const char*> names) {
+  std::vector<Column> columns;
+  for (const char* name : names) columns.push_back({name});
+  return columns;
+}
+
 /// A table of fits: its own columns, and those of an appraisal.
 Table table_of_fits(std::string name, std::vector<Column> columns) {
   const std::vector<Column> judged = {{"loss", "loss", ".1f"},
@@ -194,17 +201,8 @@ Chart left_out_chart(const std::vector<Prediction>& predictions) {
 
 /// Each constant with its value, what was allowed, and between what values the claims hold it.
 Table constants_of(const Results& results) {
-  Table table{"constants",
-              {{"constant"},
-               {"value"},
-               {"unit"},
-               {"fitted"},
-               {"from"},
-               {"to"},
-               {"determined"},
-               {"lower"},
-               {"upper"},
-               {"why"}}};
+  Table table{"constants", columns_of({"constant", "value", "unit", "fitted", "from", "to",
+                                       "determined", "lower", "upper", "why"})};
   const Fit& fit = results.choice().fit;
   for (const Unknown open : unknowns_of(fit.interpretation)) {
     const UnknownParameter& c = constant_of(open);
@@ -259,16 +257,6 @@ Sample sample_of(const RankedFit& r) {
   return {static_cast<double>(r.fit.free.size()), percent(r.appraisal.threshold_error)};
 }
 
-/// The fit of the frontier that has as many constants as the choice; null if that is the choice, or
-/// if there is none.
-const RankedFit* rival_on_frontier(const Results& results) {
-  for (const RankedFit& r : results.frontier) {
-    if (r.fit.free.size() == results.choice().fit.free.size())
-      return &r == &results.choice() ? nullptr : &r;
-  }
-  return nullptr;
-}
-
 /// Error over the number of fitted constants.
 Chart error_chart(const Results& results) {
   Chart chart =
@@ -288,29 +276,23 @@ Chart error_chart(const Results& results) {
   for (Series* series : {&brief, &frontier, &thorough}) {
     if (!series->samples.empty()) chart.series.push_back(std::move(*series));
   }
-  const auto [constants, error] = std::pair(results.choice().fit.free.size(),
-                                            percent(results.choice().appraisal.threshold_error));
-  const RankedFit* rival = rival_on_frontier(results);
-  chart.title = rival == nullptr
-                    ? fmt::format("{} fitted constants: {:.1f} %", constants, error)
-                    : fmt::format(
-                          "{} fitted constants: {:.1f} % if fixed one by one, {:.1f} % if "
-                          "searched at length",
-                          constants, percent(rival->appraisal.threshold_error), error);
+  const RankedFit& choice = results.choice();
+  const auto on_curve = std::ranges::find(results.frontier, choice.fit.free.size(),
+                                          [](const RankedFit& r) { return r.fit.free.size(); });
+  chart.title = fmt::format("{} fitted constants: {:.1f} %", choice.fit.free.size(),
+                            percent(choice.appraisal.threshold_error));
+  if (on_curve != results.frontier.end() && &*on_curve != &choice)
+    chart.title += fmt::format(" if searched at length, {:.1f} % if fixed one by one",
+                               percent(on_curve->appraisal.threshold_error));
   return chart;
 }
 
 /// What searches for the same constants ended with, a row for each parameterisation, by rising
 /// loss. Appraised is that with the lowest criterion of those within 1 % of the best.
 Table searches_of(const Results& results) {
-  Table table = table_of_fits("searches", {{"interpretation"},
-                                           {"constants"},
-                                           {"evaluations"},
-                                           {"best"},
-                                           {"as_good"},
-                                           {"least_error"},
-                                           {"largest_error"},
-                                           {"chosen"}});
+  Table table =
+      table_of_fits("searches", columns_of({"interpretation", "constants", "evaluations", "best",
+                                            "as_good", "least_error", "largest_error", "chosen"}));
   if (results.convergence.empty()) return table;
   const LongSearches& plan = *results.plan.long_searches;
   for (const Solver& solver : plan.solvers) {
@@ -363,17 +345,6 @@ std::string finding_of(const Results& results, const Table& left_out) {
       "speed is {:.1f} % (95 % interval {:.1f} to {:.1f} %). {}",
       results.choice().fit.free.size(), percent(fit.number("error")), percent(fit.number("lower")),
       percent(fit.number("upper")), prediction_of(left_out));
-}
-
-/// What the curve of the frontier reads where it has as many constants as the choice.
-std::optional<std::string> reading_of(const Results& results) {
-  const RankedFit* rival = rival_on_frontier(results);
-  if (rival == nullptr) return {};
-  const RankedFit& choice = results.choice();
-  return fmt::format(
-      "With {} constants the curve reads {:.1f} %; the chosen fit of {} has {:.1f} %.",
-      choice.fit.free.size(), percent(rival->appraisal.threshold_error),
-      name_of(choice.fit.interpretation), percent(choice.appraisal.threshold_error));
 }
 
 std::optional<std::string> open_ends_of(const std::vector<Profile>& profiles) {
@@ -474,7 +445,6 @@ report::Results findings_of(const Results& results) {
   found.set("open-ends", open_ends_of(results.profiles));
   found.set("other-fit", other_fit_of(results));
   found.set("frontier-interpretation", name_of(results.frontier.front().fit.interpretation));
-  found.set("reading", reading_of(results));
   found.set("agreement", agreement_of(results.convergence));
   found.set("closest", closest_of(results.interpretations));
   found.set("note", std::nullopt);  // of a report that was put together from several runs

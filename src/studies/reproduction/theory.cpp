@@ -69,9 +69,6 @@ void add_theory(const std::vector<CaseStudy>& cases, report::Results& results) {
       table.find([](const Row& it) { return it.text("formula") == friction_formula().words; });
   for (const char* column : {"explained", "error", "left_out"})
     results.set(fmt::format("formula.{}", column), (*row)[column]);
-  results.set("bouncing", std::ranges::count_if(cases, [](const CaseStudy& c) {
-                return sustained_bouncing_speed(c.scene).has_value();
-              }));
   results.add(std::move(table));
 }
 

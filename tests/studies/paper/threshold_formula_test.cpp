@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/suite/machine.h"
+#include "src/studies/paper/interpretation.h"
 #include "src/studies/paper/theory.h"
 
 namespace ricochet::carrier_track::inline paper {
@@ -66,19 +68,12 @@ TEST(ThresholdFormula, RecoversTheConstantsThatMadeThePoints) {
   expect_recovered("w = c Rᵖ exp(k μ + d D)", all, {7, 0.5, 1.2, -0.4});
 }
 
-TEST(ThresholdFormula, RecoversTheRatioOfNormalForceAndPullOfSustainedBouncing) {
-  for (const double ratio : {0.3, 1.7}) {
-    const auto points = made_by([&](const auto& p) {
-      return 3 * std::sqrt(sustained_bouncing(1.0, ratio * p.friction, p.restitution)->force);
-    });
-    expect_recovered("w = c √S(r μ)", points, {3, ratio}, 1e-6);
+/// The page says that √R, which bouncing on one wall without friction has, explains nothing.
+TEST(ThresholdFormula, IsOfNoBodyThatThePullBringsDown) {
+  for (const Case& c : all_cases()) {
+    const Scene scene = scene_of(c, default_interpretation().scene);
+    EXPECT_GT(scene.friction * scene.normal_force, scene.pull) << c.id;
   }
-}
-
-TEST(ThresholdFormula, FindsNoFrictionInSustainedBouncingWithoutIt) {
-  const auto points = made_by([](const auto& p) { return std::sqrt(loss(p.restitution)); });
-  const auto fit = fitted(formula_of("w = c √S(r μ)"), points);
-  EXPECT_NEAR(fit->constants[1], 0, 1e-8);
 }
 
 TEST(ThresholdFormula, SaysOfAConstantThatItExplainsNothing) {
@@ -102,8 +97,6 @@ TEST(ThresholdFormula, MeasuresErrorsInTheLogarithm) {
   const double ln2 = std::log(2.0);
   EXPECT_NEAR(errors.rms, ln2 * std::sqrt(2.5), 1e-12);   // ln 2 and -ln 4
   EXPECT_NEAR(errors.explained.value(), 1 - 2.5, 1e-12);  // variance (ln 2)^2: worse than the mean
-  EXPECT_NEAR(errors.worst, -2 * ln2, 1e-12);
-  EXPECT_EQ(errors.worst_id, "B");
 }
 
 TEST(ThresholdFormula, ExplainsNoShareOfAVarianceThatIsNotThere) {
@@ -121,16 +114,6 @@ TEST(ThresholdFormula, FitsNothingThatThePointsDoNotDetermine) {
   const auto fit = fitted(formula_of("w = c Rᵖ"), points);
   ASSERT_TRUE(fit);
   EXPECT_FALSE(fit->left_out) << "without C there is one restitution";
-  points = made_by([](const auto& p) {
-    return std::sqrt(sustained_bouncing(1.0, 2 * p.friction, p.restitution)->force);
-  });
-  for (ThresholdPoint& point : points) point.friction /= 4;  // up to 0.1: the ratio is 8
-  points.push_back({"X", 0.5, 0.4, 0.0, 1.0});
-  EXPECT_TRUE(fitted(formula_of("w = c √S(r μ)"), points));
-  EXPECT_FALSE(fitted(formula_of("w = c √S(r μ)"), points)->left_out)
-      << "without X its friction is beyond the pull";
-  for (ThresholdPoint& point : points) point.friction = 0;
-  EXPECT_FALSE(fitted(formula_of("w = c √S(r μ)"), points));
 }
 
 }  // namespace

@@ -52,9 +52,7 @@ class Stretch {
   const DisturbedMotion& last() const { return samples_.back(); }
 
   /// Up to which speed the borders are known.
-  double covered() const {
-    return solves() ? samples_[solved_].omega() : samples_.back().omega();
-  }
+  double covered() const { return solves() ? samples_[solved_].omega() : samples_.back().omega(); }
 
   /// Whether a turn up to there has more collisions.
   bool exceeds(double at_most) const {
@@ -102,7 +100,8 @@ class Stretch {
         const double middle = std::sqrt(samples_[k].omega() * samples_[k + 1].omega());
         DisturbedMotion between = motion_at(middle, extreme_phases(samples_[k]));
         if (same_kind(between, samples_[k])) {
-          samples_.insert(samples_.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(between));
+          samples_.insert(samples_.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                          std::move(between));
           continue;
         }
         samples_[k].resolved = false;
@@ -226,8 +225,7 @@ class Stretch {
     regime.to = to;
     regime.ends_by = kind;
     regime.last = last;
-    regime.collisions_per_turn =
-        (regime.first.collisions_per_turn + last.collisions_per_turn) / 2;
+    regime.collisions_per_turn = (regime.first.collisions_per_turn + last.collisions_per_turn) / 2;
     regime.certain = samples_[0].settled;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       const double slower = samples_[k == 0 ? 0 : k - 1].omega();
@@ -305,8 +303,8 @@ struct KindBorder {
 };
 
 KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
-  constexpr double narrow = 1e-13;         // relative
-  constexpr double blurred = 1e-4;         // relative, of borders beside motions that do not settle
+  constexpr double narrow = 1e-13;        // relative
+  constexpr double blurred = 1e-4;        // relative, of borders beside motions that do not settle
   constexpr double just_released = 1e-4;  // relative, where a new motion is large enough to be seen
   if (before.moves != after.moves) {
     const DisturbedMotion& still = before.moves ? after : before;
@@ -331,8 +329,7 @@ KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
         disturbed_motion(at_speed(before.machine, (before.omega() + after.omega()) / 2));
     (same_kind(middle, before) ? before : after) = std::move(middle);
   }
-  const RegimeEnd kind =
-      before.moves != after.moves ? RegimeEnd::release : RegimeEnd::irregular;
+  const RegimeEnd kind = before.moves != after.moves ? RegimeEnd::release : RegimeEnd::irregular;
   const double known = before.settled ? before.omega() : after.omega();
   return {known, kind, std::move(before), std::move(after)};
 }
@@ -342,7 +339,7 @@ KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
 std::vector<Regime> disturbed_regimes(const Scene& scene, const RegimeOptions& options,
                                       double at_most) {
   // Steps of the logarithm of the speed.
-  constexpr double first_step = 1e-3;      // where another kind of motion begins
+  constexpr double first_step = 1e-3;  // where another kind of motion begins
   constexpr double longest_step = 0.03;
   constexpr double irregular_step = 0.02;  // where the motion does not settle
   std::vector<Regime> found;
@@ -355,13 +352,12 @@ std::vector<Regime> disturbed_regimes(const Scene& scene, const RegimeOptions& o
     double step = first_step;
     while (stretch->last().omega() < options.to && !stretch->exceeds(at_most)) {
       const DisturbedMotion& here = stretch->last();
-      report_progress("regimes", std::log(here.omega() / options.from) /
-                                     std::log(options.to / options.from));
+      report_progress("regimes",
+                      std::log(here.omega() / options.from) / std::log(options.to / options.from));
       const double length = here.settled ? step : irregular_step;
       double omega = here.omega() * std::exp(length);
       if (omega > options.to * (1 - 1e-6)) omega = options.to;
-      DisturbedMotion next =
-          disturbed_motion(at_speed(here.machine, omega), extreme_phases(here));
+      DisturbedMotion next = disturbed_motion(at_speed(here.machine, omega), extreme_phases(here));
       step = std::min(2 * step, longest_step);
       if (same_kind(here, next)) {
         stretch->take(std::move(next));

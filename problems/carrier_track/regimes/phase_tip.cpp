@@ -57,7 +57,8 @@ class Tip {
         if (tip) return {*tip, in_.phase, true, true};
       }
       // Far from the speeds at which they are known such turns may be overlooked.
-      if (out_ == until_ || !probe(out_)) break;
+      if (!probe(out_)) break;
+      if (out_ == until_) return {out_, in_.phase, false, false};
       out_ = until_;
     }
     return {in_.omega, in_.phase, true, false};
@@ -221,9 +222,9 @@ class Tip {
   int rank_;
   Extreme extreme_;
   double until_;
-  SpeedAndPhase in_;  // of such turns
-  double out_;        // the speed at which none are known
-  double drift_ = 0;  // of the phase over the speed
+  SpeedAndPhase in_;    // of such turns
+  double out_;          // the speed at which none are known
+  double drift_ = 0;    // of the phase over the speed
   double share_ = 0.5;  // of the way to out_, at which the tip is expected
 };
 

@@ -117,7 +117,8 @@ TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
   for (const auto& [seed, omega] :
        {Rare{30, 0.870569255}, Rare{42, 2.132245922}, Rare{18, 0.7404758458},
         Rare{51, 0.5759682684}, Rare{27, 7.9598}, Rare{50, 5.2931}}) {
-    const DisturbedMotion motion = disturbed_motion(at_speed(random_disturbed_machine(seed), omega));
+    const DisturbedMotion motion =
+        disturbed_motion(at_speed(random_disturbed_machine(seed), omega));
     ASSERT_TRUE(motion.settled);
     EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 4000)) << seed;
     EXPECT_NE(std::pair(motion.least, motion.most), extremes_of(motion, 16)) << seed;

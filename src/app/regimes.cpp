@@ -36,9 +36,10 @@ struct RegimesOptions {
   double seconds = 60;  ///< time limit
   std::string plot;     ///< SVG file for a chart; empty: none
 
-  std::string over;           ///< CONSTANT=FROM..TO: borders over it; empty: none
-  std::optional<int> values;  ///< of that constant
-  std::string csv;            ///< CSV file for the points of the borders; empty: none
+  std::string over;     ///< CONSTANT=FROM..TO: a map over it; empty: none
+  std::string against;  ///< CONSTANT=FROM..TO in place of the speed
+  int values = carrier_track::usual_values;
+  std::string csv;  ///< CSV file for the points of the borders; empty: none
 
   std::optional<int> starts;    ///< to sample at one speed
   std::optional<double> omega;  ///< [rad/s], that speed; if missing: the scene's
@@ -48,14 +49,13 @@ struct RegimesOptions {
 /// A range of a constant of a scene: "restitution=0.05..0.95", "clearance=0.5 mm..2 mm",
 /// "clearance=0.5..2 mm".
 struct ConstantRange {
-  std::string constant;
-  double from, to;                    ///< in SI units
+  carrier_track::MapAxis axis;        ///< in SI units
   studies::advice::ShownUnit unit{};  ///< of the range's end
 };
 
-/// Throws InputError, which names --over, for a text that is no such range or has an unknown
+/// Throws InputError, which names the option, for a text that is no such range or has an unknown
 /// constant or unit.
-ConstantRange constant_range_of(const std::string& text);
+ConstantRange constant_range_of(const std::string& option, const std::string& text);
 
 /// Prints the borders of a machine over a constant, and draws the map of its regimes. Returns the
 /// exit code.
@@ -136,13 +136,11 @@ void add_regimes(CommandLine& line) {
                 "Follow every border over a constant: " +
                     fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")),
                 "CONSTANT=FROM..TO");
-  command
-      ->add_option(
-          "--values", options->values,
-          fmt::format("Values of that constant to solve the regimes at; default: {}, or {} "
-                      "under a disturbance, where each takes up to some seconds",
-                      carrier_track::usual_values, carrier_track::few_values))
+  add_value(command, "--against", options->against,
+            "A second constant in place of the speed, which is then the scene's",
+            "CONSTANT=FROM..TO")
       ->needs(over);
+  add_value(command, "--values", options->values, "Values of the first constant")->needs(over);
   add_value(command, "--csv", options->csv, "CSV file for the points of the borders, in SI units",
             "FILE")
       ->needs(over);
@@ -182,11 +180,9 @@ bool differ_in_one(const std::string& constant, const Scene& a, Scene b) {
 
 /// The machine, and the paper's thresholds of all cases that are on its map.
 MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUnit& unit) {
-  const std::string& constant = map.options.constant;
+  const auto& [constant, from, to] = map.options.over;
   MapMarks marks;
-  const auto is_on_map = [&](double value) {
-    return map.options.from <= value && value <= map.options.to;
-  };
+  const auto is_on_map = [&](double value) { return from <= value && value <= to; };
   if (is_on_map(map.own)) {
     marks.machines.push_back(
         {map.own, fmt::format("{}: {} {:.4g}{}{}", chosen.name, words_for(constant),
@@ -194,7 +190,7 @@ MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUn
   }
   for (const ChosenScene& other : every_case()) {
     const double value = constant_named(other.scene, constant);
-    if (!other.claim.threshold || !is_on_map(value)) continue;
+    if (!other.claim.threshold || !is_on_map(value) || map.options.against.key != "omega") continue;
     if (!differ_in_one(constant, chosen.scene, other.scene)) continue;
     marks.thresholds.push_back({value, *other.claim.threshold,
                                 fmt::format("{}: {:.4g}", other.name, *other.claim.threshold)});
@@ -202,25 +198,26 @@ MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUn
   return marks;
 }
 
-report::Plot plot_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUnit& unit) {
-  const std::string title =
-      fmt::format("Collisions a turn in the long run: {} with other values of the {}", chosen.name,
-                  words_for(map.options.constant));
-  return report::plot_of({regime_map_chart(map, title, unit, marks_of(chosen, map, unit))});
-}
-
 }  // namespace
 
 int regime_curves(const RegimesOptions& options) {
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_same_files({{"--csv", options.csv}, {"--plot", options.plot}}, {options.scene.scene_file});
-  const ConstantRange range = constant_range_of(options.over);
+  const ConstantRange over = constant_range_of("--over", options.over);
+  ConstantRange against{{"omega", options.range.from, options.range.to}, {"rad/s"}};
+  if (!options.against.empty()) against = constant_range_of("--against", options.against);
+  const MapUnits units{over.unit, against.unit};
   const RegimeMap map = limited(options.seconds, [&] {
-    return regime_map(chosen.scene,
-                      {range.constant, range.from, range.to, options.values, options.range});
+    return regime_map(chosen.scene, {over.axis, options.values, against.axis});
   });
   report::Plot plot;
-  if (!options.plot.empty()) plot = plot_of(chosen, map, range.unit);
+  if (!options.plot.empty()) {
+    const std::string title =
+        fmt::format("Collisions a turn in the long run: {} with other values of the {}{}",
+                    chosen.name, words_for(over.axis.key),
+                    options.against.empty() ? "" : " and the " + words_for(against.axis.key));
+    plot = report::plot_of({regime_map_chart(map, title, units, marks_of(chosen, map, over.unit))});
+  }
   write_files({{options.csv, csv_of(point_table(map))}, {options.plot, plot.svg}});
   if (options.json) {
     report::Json json = {{"machine", chosen.name}};
@@ -228,11 +225,12 @@ int regime_curves(const RegimesOptions& options) {
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}: borders between regimes over {}; the machine itself has {:.4g}{}{}.\n{}",
-               chosen.name, range.constant, map.own / range.unit.size,
-               range.unit.name.empty() ? "" : " ", range.unit.name, text_of(map, range.unit));
+               chosen.name, over.axis.key, map.own / over.unit.size,
+               over.unit.name.empty() ? "" : " ", over.unit.name, text_of(map, units));
   }
   report::require_none(plot.failures);
-  return 0;
+  if (map.complete) return 0;
+  return report_incomplete(options.seconds, "the map has the cells that had time");
 }
 
 namespace {
@@ -329,19 +327,20 @@ std::optional<double> number_of(std::string_view text, const std::string& unit,
 
 }  // namespace
 
-ConstantRange constant_range_of(const std::string& text) {
-  const std::string origin = one_line(fmt::format("--over {}", text));
+ConstantRange constant_range_of(const std::string& option, const std::string& text) {
+  const std::string origin = one_line(fmt::format("{} {}", option, text));
   const std::size_t equal = text.find('='), dots = text.find("..");
   if (equal == std::string::npos || dots == std::string::npos || dots < equal) {
     throw InputError(origin + ": must be CONSTANT=FROM..TO, as in restitution=0.05..0.95");
   }
-  ConstantRange range{std::string(trimmed(std::string_view(text).substr(0, equal))), 0, 0, {}};
+  ConstantRange range{{std::string(trimmed(std::string_view(text).substr(0, equal))), 0, 0}, {}};
+  auto& [key, lower_end, upper_end] = range.axis;
   try {
-    constant_named(Scene{}, range.constant);
+    constant_named(Scene{}, key);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("--over {}", one_line(error.what())));
+    throw InputError(fmt::format("{} {}", option, one_line(error.what())));
   }
-  const std::string unit = unit_of(range.constant);
+  const std::string unit = unit_of(key);
   const std::string_view all = text;
   const std::string_view from = trimmed(all.substr(equal + 1, dots - equal - 1));
   const std::string_view to = trimmed(all.substr(dots + 2));
@@ -353,8 +352,8 @@ ConstantRange constant_range_of(const std::string& text) {
         unit == "1" ? ""
                     : fmt::format(", with one of the units {}", fmt::join(units_for(unit), ", "))));
   }
-  range.from = *lower;
-  range.to = *upper;
+  lower_end = *lower;
+  upper_end = *upper;
   if (unit != "1") range.unit = {name.empty() ? unit : name, 1};
   if (!name.empty()) range.unit.size = *quantity("1 " + name, unit);
   return range;

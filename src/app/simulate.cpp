@@ -125,9 +125,7 @@ report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
       studies::path_chart(chosen.scene, recording, "path",
                           fmt::format("{} at {}: {}", chosen.name, speed_of(chosen.scene),
                                       report::counted(recording.count, "collision")))};
-  if (const auto zoom = studies::path_zoom(chosen.scene, recording)) {
-    charts.push_back(studies::zoom_chart(chosen.scene, recording, *zoom, "zoom"));
-  }
+  if (const auto zoom = studies::zoom_chart(chosen.scene, recording)) charts.push_back(*zoom);
   for (report::Chart& chart : charts) {
     chart.width = 960;
     chart.height = 360;

@@ -203,8 +203,6 @@ std::string name_of(CurveEnd end) {
       return "impact-missing";
     case CurveEnd::speeds:
       return "speeds";
-    case CurveEnd::other_motion:
-      return "other-motion";
     case CurveEnd::not_sharp:
       return "not-sharp";
     case CurveEnd::not_found:

@@ -22,7 +22,6 @@ enum class CurveEnd {
   other_border,    ///< the motion itself changes: another border ends this one
   impact_missing,  ///< the impact that passes the counting limit is no longer there
   speeds,          ///< it leaves the range of speeds
-  other_motion,    ///< there the carrier is on another motion when its speed rises slowly
   not_sharp,       ///< such a border is not followed: beside a motion that does not repeat
   not_found        ///< the border is not found beyond, for none of these reasons
 };

@@ -38,24 +38,9 @@ std::string text_of(const Limit& limit) {
   return "";
 }
 
-const char* key_of(Measure measure) {
-  switch (measure) {
-    case Measure::collisions:
-      return "collisions";
-    case Measure::collisions_per_turn:
-      return "collisions_per_turn";
-    case Measure::energy:
-      return "energy";
-    case Measure::impact_speed:
-      return "impact_speed";
-  }
-  return "";
-}
-
-std::string text_of(const CountThere& there) {
-  return fmt::format("{:.3f} rad/s: {} collisions, {:.3g} a turn, {}", there.omega, there.count,
-                     there.per_turn,
-                     there.certain ? "certain" : "not certain (" + there.doubt + ")");
+std::string key_of(Measure measure) {
+  constexpr const char* keys[] = {"collisions", "collisions_per_turn", "energy", "impact_speed"};
+  return keys[static_cast<std::size_t>(measure)];
 }
 
 std::string text_of(const ToleranceRange& range) {
@@ -104,12 +89,6 @@ Json reason_of(const QuietSpeed& answer) {
   return "the count makes no step";
 }
 
-std::string text_of_steps(const QuietSpeed& answer) {
-  if (answer.staircase.steps.empty()) return "The staircase has no step by half or more.\n";
-  return "Steps of the staircase (a step is louder by half, and by two collisions):\n" +
-         terminal_text_of(step_table(answer.staircase.steps));
-}
-
 }  // namespace
 
 Table step_table(const std::vector<Step>& steps) {
@@ -145,9 +124,10 @@ Table around_table(const std::vector<CountThere>& around) {
               {{"omega", "speed [rad/s]", ".3f"},
                {"count", "collisions in the window"},
                {"per_turn", "a turn", ".3g"},
-               {"certain", "certain", "mark"}}};
+               {"certain", "certain", "mark"},
+               {"doubt", "why not"}}};
   for (const CountThere& there : around) {
-    table.add(rounded(there.omega), there.count, there.per_turn, there.certain);
+    table.add(rounded(there.omega), there.count, there.per_turn, there.certain, there.doubt);
   }
   return table;
 }
@@ -248,8 +228,13 @@ std::string text_of(const QuietSpeedAnswer& output) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
   text += text_of(output.sampled);
-  for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
-  if (!answer.is_of_the_long_run() && !answer.reached) text += text_of_steps(answer);
+  if (!answer.around.empty()) text += terminal_text_of(around_table(answer.around));
+  if (!answer.is_of_the_long_run() && !answer.reached) {
+    text += answer.staircase.steps.empty()
+                ? "The staircase has no step by half or more.\n"
+                : "Steps of the staircase (a step is louder by half, and by two collisions):\n" +
+                      terminal_text_of(step_table(answer.staircase.steps));
+  }
   if (!answer.options.limit && !answer.staircase.steps.empty()) {
     text +=
         "Significance is how much louder times how long both levels last, on logarithmic axes; no "
@@ -267,7 +252,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
   for (const auto& sentence : {tolerance_sentence(output), uncertainty_sentence(output)}) {
     if (sentence) text += *sentence + "\n";
   }
-  text += notes_on(output.scene, output.start);
+  for (const std::string& note : notes_on(output.scene, output.start)) text += note + "\n";
   return text;
 }
 
@@ -367,25 +352,26 @@ std::optional<StartShare> largest_start_share(const Scene& scene,
   return largest;
 }
 
-std::string notes_on(const Scene& scene, const std::optional<StartShare>& share) {
-  std::string text;
+std::vector<std::string> notes_on(const Scene& scene, const std::optional<StartShare>& share) {
+  std::vector<std::string> notes;
   if (scene.restitution_lower != scene.restitution_upper) {
-    text += fmt::format("Restitution is {} at the lower wall and {} at the upper.\n",
-                        scene.restitution_lower, scene.restitution_upper);
+    notes.push_back(fmt::format("Restitution is {} at the lower wall and {} at the upper.",
+                                scene.restitution_lower, scene.restitution_upper));
   }
   const std::optional<double> release = release_speed(scene);
   if (scene.friction * scene.normal_force > 0 && release != 0.0) {
-    text += release ? fmt::format("By hand: friction holds the carrier up to {}: {}.\n",
-                                  both_units(*release), release_formula(scene))
-                    : "By hand: friction and the steady force hold the carrier at every speed.\n";
+    notes.push_back(
+        release ? fmt::format("By hand: friction holds the carrier up to {}: {}.",
+                              both_units(*release), release_formula(scene))
+                : "By hand: friction and the steady force hold the carrier at every speed.");
   }
   if (share && share->dominates()) {
-    text += fmt::format(
+    notes.push_back(fmt::format(
         "The window of {:.3g} turns is short: {} of its {} collisions at {} are the start's, and "
-        "do not come again. Take a longer window.\n",
-        share->turns, share->of_start, share->count, both_units(share->omega));
+        "do not come again. Take a longer window.",
+        share->turns, share->of_start, share->count, both_units(share->omega)));
   }
-  return text;
+  return notes;
 }
 
 namespace {
@@ -409,7 +395,7 @@ ModelChoice model_choice(const Scene& scene, const QuietSpeed& answer) {
       at_level.window = Revolutions{long_window};
       limit = {Measure::collisions, long_window * (limit.at_most + 0.5)};
     }
-    return quiet_range(at_level, limit, *scan).quiet;
+    return quiet_by_scan(at_level, limit, *scan);
   };
   choice.along = quiet_with(Fidelity::impact);
   choice.planar = quiet_with(Fidelity::planar);

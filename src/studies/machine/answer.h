@@ -36,7 +36,8 @@ std::optional<StartShare> largest_start_share(const carrier_track::Scene& scene,
 /// What an engineer should know beside the answer, one line each: the restitutions if the walls
 /// differ, the speed up to which friction holds the carrier, by its hand formula, and whether the
 /// window is too short, by the start's share in it.
-std::string notes_on(const carrier_track::Scene& scene, const std::optional<StartShare>& share);
+std::vector<std::string> notes_on(const carrier_track::Scene& scene,
+                                  const std::optional<StartShare>& share);
 
 /// Revolutions per minute of 1 rad/s.
 inline constexpr double rpm = 30 / std::numbers::pi;

@@ -7,14 +7,12 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 #include <variant>
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/machine.h"
-#include "src/report/painted.h"
 
 namespace ricochet::studies {
 
@@ -24,7 +22,11 @@ namespace {
 
 constexpr double zoom_samples = 1500;  // per path
 
-}  // namespace
+/// The abscissa of a path: turns of the driver plate if the scene's window is in turns, else time.
+struct PathAxis {
+  std::string label;
+  double unit;  ///< [s]
+};
 
 PathAxis path_axis(const Scene& scene) {
   if (std::holds_alternative<Revolutions>(scene.window) && scene.profile.empty()) {
@@ -33,59 +35,29 @@ PathAxis path_axis(const Scene& scene) {
   return {"time [s]", 1};
 }
 
-std::vector<report::Sample> path_samples(const Scene& scene, const Recording& recording) {
-  const double unit = path_axis(scene).unit;
-  std::vector<report::Sample> samples;
-  double last = -1;
-  for (const carrier_track::Sample& s : recording.path) {
-    if (s.time <= last) continue;  // an impact has two samples, before and after
-    last = s.time;
-    samples.push_back({s.time / unit, s.position / millimetre});
-  }
-  return samples;
-}
-
-std::vector<report::Sample> counted_samples(const Scene& scene, const Recording& recording) {
-  const double unit = path_axis(scene).unit;
-  std::vector<report::Sample> samples;
-  for (const auto& perturbation : counted_features(scene, recording)) {
-    samples.push_back({perturbation.time / unit, perturbation.position / millimetre});
-  }
-  return samples;
-}
+}  // namespace
 
 std::string counted_label(const Scene& scene) {
   return scene.rule == CountRule::impacts ? "impact that counts" : "maximum that counts";
 }
 
-std::optional<PathZoom> path_zoom(const Scene& scene, const Recording& recording) {
-  const auto stretch = busiest_stretch(scene, recording);
-  if (!stretch) return std::nullopt;
-  const double unit = path_axis(scene).unit;
-  const double share = (stretch->to - stretch->from) / duration_of(scene);
-  const Recording fine = record(scene, 0, static_cast<std::size_t>(zoom_samples / share));
-  PathZoom zoom{{stretch->from / unit, stretch->to / unit}, {0, 0}, path_samples(scene, fine)};
-  std::erase_if(zoom.path, [&](const report::Sample& sample) {
-    return sample.position < zoom.at.lower || sample.position > zoom.at.upper;
-  });
-  if (zoom.path.empty()) return std::nullopt;
-  const auto [lowest, highest] = std::minmax_element(
-      zoom.path.begin(), zoom.path.end(),
-      [](const report::Sample& a, const report::Sample& b) { return *a.value < *b.value; });
-  const double room = 0.1 * (*highest->value - *lowest->value);
-  zoom.x = {*lowest->value - room, *highest->value + room};
-  return room > 0 ? std::optional(std::move(zoom)) : std::nullopt;
-}
-
 report::Chart path_chart(const Scene& scene, const Recording& recording, std::string name,
                          std::string title) {
-  report::Chart chart;
-  chart.name = std::move(name);
-  chart.title = std::move(title);
-  chart.x.label = path_axis(scene).label;
-  chart.y.label = "x [mm]";
-  chart.series = {{"path", report::Mark::line, path_samples(scene, recording)},
-                  {counted_label(scene), report::Mark::points, counted_samples(scene, recording)}};
+  const auto [label, unit] = path_axis(scene);
+  report::Chart chart{.name = std::move(name),
+                      .title = std::move(title),
+                      .x = {label},
+                      .y = {"x [mm]"},
+                      .series = {{"path"}, {counted_label(scene), report::Mark::points}},
+                      .height = 240};
+  double last = -1;
+  for (const carrier_track::Sample& s : recording.path) {
+    if (s.time <= last) continue;  // an impact has two samples, before and after
+    last = s.time;
+    chart.series[0].samples.push_back({s.time / unit, s.position / millimetre});
+  }
+  for (const Feature& feature : counted_features(scene, recording))
+    chart.series[1].samples.push_back({feature.time / unit, feature.position / millimetre});
   const double lower = scene.wall_lower / millimetre;
   const double upper = scene.wall_upper / millimetre;
   chart.lines = {{report::Direction::horizontal, lower, "wall"}};
@@ -94,26 +66,36 @@ report::Chart path_chart(const Scene& scene, const Recording& recording, std::st
     const double margin = 0.1 * (upper - lower);
     chart.y.range = report::Range{lower - margin, upper + margin};
   }
-  chart.height = 240;
   return chart;
 }
 
-report::Chart zoom_chart(const Scene& scene, const Recording& recording, const PathZoom& zoom,
-                         std::string name) {
-  report::Chart chart =
-      path_chart(scene, recording, std::move(name), "Where most of what counts happens");
-  chart.x.range = zoom.at;
-  chart.y.range = zoom.x;
-  chart.series.front().samples = zoom.path;
-  const auto is_outside = [](double value, const report::Range& range) {
-    return value < range.lower || value > range.upper;
+std::optional<report::Chart> zoom_chart(const Scene& scene, const Recording& recording) {
+  const auto stretch = busiest_stretch(scene, recording);
+  if (!stretch) return std::nullopt;
+  const double unit = path_axis(scene).unit;
+  const double share = (stretch->to - stretch->from) / duration_of(scene);
+  const Recording fine = record(scene, 0, static_cast<std::size_t>(zoom_samples / share));
+  report::Chart chart = path_chart(scene, fine, "zoom", "Where most of what counts happens");
+  const report::Range at{stretch->from / unit, stretch->to / unit};
+  for (report::Series& series : chart.series) {
+    std::erase_if(series.samples, [&](const report::Sample& sample) {
+      return sample.position < at.lower || sample.position > at.upper;
+    });
+  }
+  const auto& path = chart.series[0].samples;
+  if (path.empty()) return std::nullopt;
+  const auto [lowest, highest] = std::ranges::minmax_element(path, {}, &report::Sample::value);
+  const double room = 0.1 * (*highest->value - *lowest->value);
+  if (!(room > 0)) return std::nullopt;
+  chart.x.range = at;
+  chart.y.range = report::Range{*lowest->value - room, *highest->value + room};
+  const auto is_outside = [&](double x) {
+    return x < chart.y.range->lower || x > chart.y.range->upper;
   };
-  std::erase_if(chart.series.back().samples, [&](const report::Sample& mark) {
-    return is_outside(mark.position, zoom.at) || is_outside(*mark.value, zoom.x);
-  });
-  std::erase_if(chart.lines, [&](const report::ReferenceLine& wall) {
-    return is_outside(wall.position, zoom.x);
-  });
+  std::erase_if(chart.series[1].samples,
+                [&](const report::Sample& mark) { return is_outside(*mark.value); });
+  std::erase_if(chart.lines,
+                [&](const report::ReferenceLine& wall) { return is_outside(wall.position); });
   return chart;
 }
 
@@ -126,45 +108,25 @@ namespace {
 using namespace carrier_track;
 
 constexpr std::size_t most_colours = 8;
-constexpr double least_share =
-    2e-3;  // share of the map from which on a count has a colour of its own
-
-constexpr int chart_width = 960, chart_height = 520;  // pixels
-constexpr double unseen = 0.15;                       // pixels
+constexpr double least_share = 2e-3;  // of the cells, for a count to have a colour of its own
 
 /// Counts with one colour.
 struct Band {
   double least, most;  ///< collisions a turn
 };
 
-/// The area of a region within the range of speeds.
-double area_of(const MapRegion& region, const RegimeOptions& speeds) {
-  double area = 0;
-  for (std::size_t i = 0; i + 1 < region.edges.size(); ++i) {
-    const auto height = [&](const MapRegion::Edge& edge) {
-      return std::max(0.0, std::min(edge.upper, speeds.to) - std::max(edge.lower, speeds.from));
-    };
-    const MapRegion::Edge& a = region.edges[i];
-    const MapRegion::Edge& b = region.edges[i + 1];
-    area += (b.constant - a.constant) * (height(a) + height(b)) / 2;
-  }
-  return area;
-}
-
 /// The colours of a map: those counts that are to be seen, the highest ones in two ranges. A count
 /// that is not to be seen takes the colour of the next higher one.
 std::vector<Band> bands_of(const RegimeMap& map) {
-  std::map<double, double> areas;
-  double all = 0;
-  for (const MapRegion& region : map.regions) {
-    const double area = area_of(region, map.options.speeds);
-    all += area;
-    if (region.certain) areas[region.collisions] += area;
-  }
+  std::map<double, double> counts;
+  for (const MapColumn& column : map.columns)
+    for (const auto& cell : column.cells)
+      if (cell) ++counts[*cell];
+  const auto all = static_cast<double>(map.columns.size() * map.heights.size());
   std::vector<Band> bands;
-  for (const auto& [collisions, area] : areas) {
-    const bool last = collisions == areas.rbegin()->first;
-    if (area >= least_share * all || collisions == 0 || (last && bands.empty())) {
+  for (const auto& [collisions, cells] : counts) {
+    const bool last = collisions == counts.rbegin()->first;
+    if (cells >= least_share * all || collisions == 0 || (last && bands.empty())) {
       bands.push_back({collisions, collisions});
     } else if (last) {
       bands.back().most = collisions;
@@ -179,137 +141,126 @@ std::vector<Band> bands_of(const RegimeMap& map) {
   return bands;
 }
 
-std::string numbers_of(const Band& band) {
-  return band.least == band.most ? fmt::format("{:.4g}", band.most)
-                                 : fmt::format("{:.4g} to {:.4g}", band.least, band.most);
-}
-
-/// The edges of a region that suffice to draw it to a fraction of a pixel.
-std::vector<report::Area::Edge> drawn_edges(const MapRegion& region, const RegimeMap& map,
-                                            double size) {
-  const RegimeMapOptions& options = map.options;
-  std::vector<report::Pixel> lower, upper;
-  for (const MapRegion::Edge& edge : region.edges) {
-    const double x = chart_width * (edge.constant - options.from) / (options.to - options.from);
-    const double scale = chart_height / options.speeds.to;
-    lower.push_back({x, scale * edge.lower});
-    upper.push_back({x, scale * edge.upper});
-  }
-  std::set<std::size_t> kept;
-  for (const auto& line : {lower, upper}) {
-    for (const std::size_t i : report::needed_corners(line, unseen)) kept.insert(i);
-  }
-  std::vector<report::Area::Edge> edges;
-  for (const std::size_t i : kept) {
-    const MapRegion::Edge& edge = region.edges[i];
-    edges.push_back({edge.constant / size, {edge.lower, edge.upper}});
-  }
-  return edges;
-}
-
-report::Area area_of(const RegimeMap& map, const std::vector<Band>& bands, std::size_t which,
-                     double size) {
-  const Band& band = bands[which];
-  const double below = which == 0 ? -1 : bands[which - 1].most;
-  report::Area area;
-  area.name = band.most == 0 ? "silent" : numbers_of(band);
-  area.label = band.most == 0
-                   ? "silent: no impact is fast enough to count"
-                   : fmt::format("{}{} collision{} a turn", map.followed ? "" : "at most ",
-                                 numbers_of(band), band.most == 1 ? "" : "s");
-  const double steps = std::max<double>(1, static_cast<double>(bands.size()) - 1);
-  area.shade = 1 - 0.95 * static_cast<double>(which) / steps;
-  for (const MapRegion& region : map.regions) {
-    if (!region.certain || region.collisions <= below || region.collisions > band.most) continue;
-    area.parts.push_back(drawn_edges(region, map, size));
-  }
-  return area;
-}
-
-std::optional<report::Area> irregular_area(const RegimeMap& map, double size) {
-  report::Area area{"the motion does not repeat", std::nullopt, {}, {}};
-  for (const MapRegion& region : map.regions) {
-    if (region.certain) continue;
-    area.parts.push_back(drawn_edges(region, map, size));
-  }
-  return area.parts.empty() ? std::nullopt : std::optional(area);
-}
-
-/// One line for all borders that `belongs` takes, with gaps between.
+/// Where the cells of a map that `belongs` takes are: cells above each other are one, and go on in
+/// the next column if some of them do.
 template <class Belongs>
-report::Series borders_of(const RegimeMap& map, std::string label, double size,
-                          const Belongs& belongs) {
-  report::Series series{std::move(label), report::Mark::line, {}};
+std::vector<std::vector<report::Area::Edge>> parts_of(const RegimeMap& map, const MapUnits& units,
+                                                      const Belongs& belongs) {
+  const auto& [over, values, against] = map.options;
+  const double wide = (over.to - over.from) / (values - 1);
+  const double high = (against.to - against.from) / static_cast<double>(map.heights.size());
+  std::vector<std::vector<report::Area::Edge>> done, open;
+  double right = over.from / units.over.size;
+  for (const MapColumn& column : map.columns) {
+    const double left = right;
+    right = std::min(over.to, column.value + wide / 2) / units.over.size;
+    std::vector<std::vector<report::Area::Edge>> here;
+    const std::size_t cells = column.cells.size();
+    for (std::size_t from = 0, to = 0; from < cells; from = to = to + 1) {
+      while (to < cells && belongs(column.cells[to])) ++to;
+      if (to == from) continue;
+      const report::Range between{(map.heights[from] - high / 2) / units.against.size,
+                                  (map.heights[to - 1] + high / 2) / units.against.size};
+      const auto before = std::ranges::find_if(open, [&](const auto& part) {
+        const report::Range& last = part.back().between;
+        return last.lower < between.upper && between.lower < last.upper;
+      });
+      if (before == open.end()) {
+        here.push_back({{left, between}, {right, between}});
+        continue;
+      }
+      here.push_back(std::move(*before));
+      open.erase(before);
+      const report::Range last = here.back().back().between;
+      if (last.lower == between.lower && last.upper == between.upper) {
+        here.back().back().position = right;
+      } else {
+        here.back().insert(here.back().end(), {{left, between}, {right, between}});
+      }
+    }
+    done.insert(done.end(), open.begin(), open.end());
+    open = std::move(here);
+  }
+  done.insert(done.end(), open.begin(), open.end());
+  return done;
+}
+
+std::vector<report::Area> areas_of(const RegimeMap& map, const MapUnits& units) {
+  std::vector<report::Area> areas;
+  double below = -1;
+  const std::vector<Band> bands = bands_of(map);
+  for (const Band& band : bands) {
+    const std::string numbers = band.least == band.most
+                                    ? fmt::format("{:.4g}", band.most)
+                                    : fmt::format("{:.4g} to {:.4g}", band.least, band.most);
+    const bool silent = band.most == 0;
+    const double share = static_cast<double>(areas.size()) /
+                         std::max<double>(1, static_cast<double>(bands.size()) - 1);
+    areas.push_back(
+        {silent ? "silent: no impact is fast enough to count"
+                : fmt::format("{}{} collision{} a turn", map.disturbed ? "at most " : "", numbers,
+                              band.most == 1 ? "" : "s"),
+         1 - 0.95 * share,
+         parts_of(map, units,
+                  [&](const auto& cell) { return cell && *cell > below && *cell <= band.most; }),
+         silent ? "silent" : numbers});
+    below = band.most;
+  }
+  report::Area irregular{"the motion does not repeat", std::nullopt,
+                         parts_of(map, units, [](const auto& cell) { return !cell; })};
+  if (!irregular.parts.empty()) areas.push_back(std::move(irregular));
+  return areas;
+}
+
+/// The borders of the machine, with gaps between.
+report::Series borders_of(const RegimeMap& map, double size) {
+  report::Series series{"border of the machine", report::Mark::line, {}};
   series.dark = true;
   for (const MapCurve& curve : map.curves) {
-    if (!belongs(curve) || curve.points.size() < 2) continue;  // a dot is no line
-    if (!series.samples.empty()) {
+    if (curve.points.size() < 2) continue;  // a dot is no line
+    if (!series.samples.empty())
       series.samples.push_back({series.samples.back().position, std::nullopt});
-    }
-    const double fastest = map.options.speeds.to;
-    // To the end of the range of speeds, along the slope there.
-    const auto lead_out = [&](const MapPoint& point, CurveEnd end,
-                              std::vector<report::Sample>& line) {
-      if (end != CurveEnd::speeds || !point.slope || *point.slope == 0) return;
-      const double constant = point.constant + (fastest - point.omega) / *point.slope;
-      line.push_back({constant / size, fastest});
-    };
-    std::vector<report::Sample> line;
-    lead_out(curve.points.front(), curve.begins, line);
-    for (const MapPoint& point : curve.points) line.push_back({point.constant / size, point.omega});
-    lead_out(curve.points.back(), curve.ends, line);
-    const double across = (map.options.to - map.options.from) / size / chart_width;
-    const std::vector<report::Sample> drawn =
-        report::simplified(line, unseen * across, unseen * fastest / chart_height);
-    series.samples.insert(series.samples.end(), drawn.begin(), drawn.end());
+    for (const MapPoint& point : curve.points)
+      series.samples.push_back({point.constant / size, point.omega});
   }
   return series;
 }
 
+report::Axis axis_of(const MapAxis& axis, const ShownUnit& unit) {
+  const std::string name = axis.key == "omega" ? "speed of the driver plate" : axis.key;
+  return {.label = unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
+          .range = report::Range{axis.from / unit.size, axis.to / unit.size}};
+}
+
 }  // namespace
 
-report::Chart regime_map_chart(const RegimeMap& map, std::string title, const ShownUnit& unit,
+report::Chart regime_map_chart(const RegimeMap& map, std::string title, const MapUnits& units,
                                const MapMarks& marks) {
-  report::Chart chart;
-  chart.name = "regime-map";
-  chart.title = std::move(title);
-  chart.width = chart_width;
-  chart.height = chart_height;
-  const std::string& constant = map.options.constant;
-  chart.x = {.label = unit.name.empty() ? constant : fmt::format("{} [{}]", constant, unit.name),
-             .range = report::Range{map.options.from / unit.size, map.options.to / unit.size}};
-  chart.y = {.label = "speed of the driver plate [rad/s]",
-             .range = report::Range{0, map.options.speeds.to}};
-  const std::vector<Band> bands = bands_of(map);
-  for (std::size_t i = 0; i < bands.size(); ++i) {
-    chart.areas.push_back(area_of(map, bands, i, unit.size));
-  }
-  if (const auto irregular = irregular_area(map, unit.size)) chart.areas.push_back(*irregular);
-  const auto is_limit = [](const MapCurve& curve) {
-    return curve.kind == RegimeEnd::counting_limit;
-  };
-  const auto is_release = [](const MapCurve& curve) { return curve.kind == RegimeEnd::release; };
-  // In this order the threshold is a filled dot, and the first line a solid one.
+  report::Chart chart{.name = "regime-map",
+                      .title = std::move(title),
+                      .x = axis_of(map.options.over, units.over),
+                      .y = axis_of(map.options.against, units.against),
+                      .areas = areas_of(map, units),
+                      .width = 960,
+                      .height = 520};
   report::Series points{"the paper's threshold", report::Mark::points, {}};
   points.dark = true;
   for (const MapMarks::Point& point : marks.thresholds) {
-    points.samples.push_back({point.constant / unit.size, point.omega, std::nullopt, point.name});
+    points.samples.push_back(
+        {point.constant / units.over.size, point.omega, std::nullopt, point.name});
   }
-  chart.series = {
-      points, borders_of(map, "border: the carrier starts to move", unit.size, is_release),
-      borders_of(map, "border: the motion changes in another way", unit.size,
-                 [&](const MapCurve& curve) { return !is_limit(curve) && !is_release(curve); }),
-      borders_of(map, "border: another impact counts", unit.size, is_limit)};
-  for (report::Series& series : chart.series) {
-    if (series.samples.empty()) series.label = "";
-  }
+  if (!points.samples.empty()) chart.series.push_back(std::move(points));
+  if (map.followed) chart.series.push_back(borders_of(map, units.over.size));
   for (const MapMarks::Value& machine : marks.machines) {
     chart.lines.push_back(
-        {report::Direction::vertical, machine.constant / unit.size, machine.label});
+        {report::Direction::vertical, machine.constant / units.over.size, machine.label});
   }
   return chart;
 }
 
+namespace {
+
+/// Sampled where the count changes.
 std::vector<report::Sample> staircase_samples(const QuietSpeed& answer) {
   std::vector<report::Sample> samples;
   if (answer.is_of_the_long_run()) {
@@ -330,30 +281,32 @@ std::vector<report::Sample> staircase_samples(const QuietSpeed& answer) {
   return samples;
 }
 
+}  // namespace
+
 report::Chart staircase_chart(const QuietSpeed& answer, std::string title,
                               const std::vector<MarkedSpeed>& marked) {
-  report::Chart chart;
-  chart.name = "staircase";
-  chart.title = std::move(title);
-  chart.width = 960;
-  chart.height = 400;
   const double fastest = answer.options.fastest;
-  chart.series = {{"collisions", report::Mark::steps, staircase_samples(answer)}};
+  report::Chart chart{
+      .name = "staircase",
+      .title = std::move(title),
+      .x = {.label = "speed [rad/s]", .range = report::Range{0, fastest}},
+      .y = {.label = answer.is_of_the_long_run() ? "collisions a turn, in the long run"
+                                                 : "collisions in the window"},
+      .series = {{"collisions", report::Mark::steps, staircase_samples(answer)}},
+      .width = 960,
+      .height = 400};
   double most = 0;
-  for (const report::Sample& sample : chart.series.front().samples) {
+  for (const report::Sample& sample : chart.series.front().samples)
     most = std::max(most, *sample.value);
-  }
-  chart.x = {.label = "speed [rad/s]", .range = report::Range{0, fastest}};
-  chart.y = {.label = answer.is_of_the_long_run() ? "collisions a turn, in the long run"
-                                                  : "collisions in the window",
-             .range = report::Range{0, 1 + 1.1 * most}};
-  const auto mark = [&](const std::optional<double>& omega, const std::string& label) {
-    if (omega && *omega <= fastest) {
+  chart.y.range = report::Range{0, 1 + 1.1 * most};
+  for (const auto& [omega, label] : marked) {
+    if (omega && *omega <= fastest)
       chart.lines.push_back({report::Direction::vertical, *omega, label});
-    }
-  };
-  for (const auto& [omega, label] : marked) mark(omega, label);
-  for (const Step& step : answer.staircase.steps) mark(step.omega, "step");
+  }
+  for (const Step& step : answer.staircase.steps) {
+    if (step.omega <= fastest)
+      chart.lines.push_back({report::Direction::vertical, step.omega, "step"});
+  }
   return chart;
 }
 

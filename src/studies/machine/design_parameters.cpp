@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
-#include <string>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/quiet_speed.h"
-#include "problems/carrier_track/counting/threshold.h"
-#include "ricochet/machine.h"
 #include "src/core/in_parallel.h"
 #include "src/studies/machine/answer.h"
 #include "src/studies/machine/charts.h"
@@ -19,7 +17,7 @@ namespace ricochet::studies::advice {
 
 namespace {
 
-using carrier_track::Scene;
+using namespace carrier_track;
 
 /// A restitution after the design parameter's restitution goes from `own` to `value`: it moves by
 /// the same share of the way to 0, or to 1.
@@ -28,36 +26,20 @@ double gone_with(double restitution, double own, double value) {
   return restitution + (1 - restitution) * (value - own) / (1 - own);
 }
 
-Scene with_restitution(const Scene& scene, double value) {
+Scene with_restitution(Scene scene, double value) {
   const double own = scene.restitution_lower;
-  Scene turned = scene;
-  turned.restitution_lower = value;
-  turned.restitution_upper = gone_with(scene.restitution_upper, own, value);
-  if (turned.across) {
-    turned.across->restitution_lower = gone_with(scene.across->restitution_lower, own, value);
-    turned.across->restitution_upper = gone_with(scene.across->restitution_upper, own, value);
+  const auto turn = [&](double& restitution) { restitution = gone_with(restitution, own, value); };
+  turn(scene.restitution_lower);
+  turn(scene.restitution_upper);
+  if (scene.across) {
+    turn(scene.across->restitution_lower);
+    turn(scene.across->restitution_upper);
   }
-  return turned;
-}
-
-Scene with_friction(const Scene& scene, double value) {
-  Scene turned = scene;
-  turned.friction = value;
-  return turned;
+  return scene;
 }
 
 double clearance_of(const Scene& scene) {
   return (scene.wall_upper - scene.wall_lower) / millimetre;
-}
-
-Scene with_clearance(const Scene& scene, double value) {
-  return carrier_track::scaled(scene, "clearance", value / clearance_of(scene));
-}
-
-Scene with_disturbance(const Scene& scene, double value) {
-  Scene turned = scene;
-  turned.disturbance = value;
-  return turned;
 }
 
 }  // namespace
@@ -71,134 +53,94 @@ std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
   const double friction = scene.friction;
   // With contact friction, a coefficient of 1 or more takes the whole velocity.
   const double slippery = scene.contact_friction ? std::max(friction, 0.99) : 1e15;
-  std::vector<DesignParameter> design_parameters = {
+  std::vector<DesignParameter> all = {
       {"restitution", "", restitution / 2, restitution, (1 + restitution) / 2, with_restitution},
       {"friction", "", 0, friction, std::min(slippery, friction > 0 ? 2 * friction : 0.2),
-       with_friction}};
+       [](Scene turned, double value) {
+         turned.friction = value;
+         return turned;
+       }}};
   if (std::isfinite(scene.wall_upper)) {
     const double clearance = clearance_of(scene);
-    design_parameters.push_back(
-        {"clearance", "mm", clearance / 2, clearance, 2 * clearance, with_clearance});
+    all.push_back({"clearance", "mm", clearance / 2, clearance, 2 * clearance,
+                   [](Scene turned, double value) {
+                     return scaled(turned, "clearance", value / clearance_of(turned));
+                   }});
   }
   const double force = std::max(std::abs(scene.pull), friction * scene.normal_force);
-  if (scene.disturbance != 0) {
-    design_parameters.push_back(
-        {"disturbance", "N", 0, scene.disturbance, 2 * scene.disturbance, with_disturbance});
-  } else if (force > 0) {
-    design_parameters.push_back({"disturbance", "N", 0, 0, force, with_disturbance});
+  const double most = scene.disturbance != 0 ? 2 * scene.disturbance : force;
+  if (most != 0) {
+    all.push_back({"disturbance", "N", 0, scene.disturbance, most, [](Scene turned, double value) {
+                     turned.disturbance = value;
+                     return turned;
+                   }});
   }
-  return design_parameters;
+  return all;
 }
-
-namespace {
-
-using namespace carrier_track;
-
-/// 1 if the scene is loud at this speed, else 0.
-int loudness(const Scene& scene, const Limit& limit, double omega) {
-  return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
-}
-
-/// The fastest speed up to which a disturbed machine is quiet in the long run, by the speeds of the
-/// scan: its exact borders would take some seconds.
-std::optional<double> quiet_by_scan(const Scene& scene, const Limit& limit,
-                                    const CoarseScan& scan) {
-  const auto is_quiet = [&](double omega) {
-    return most_per_turn(at_speed(scene, omega)) <= limit.at_most;
-  };
-  double quiet = 0;
-  double loud = scan.lowest;
-  while (is_quiet(loud)) {
-    quiet = loud;
-    if (loud >= scan.highest) return loud;
-    loud = std::min(scan.highest, loud * scan.ratio * scan.ratio);
-  }
-  if (quiet == 0) return std::nullopt;
-  for (int halving = 0; halving < 5; ++halving) {
-    const double middle = std::sqrt(quiet * loud);
-    (is_quiet(middle) ? quiet : loud) = middle;
-  }
-  return quiet;
-}
-
-/// The same in the long run, where quiet and loud do not mix.
-QuietRange found_in_the_long_run(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
-  QuietRange range;
-  range.quiet = scene.disturbance == 0
-                    ? quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest})
-                    : quiet_by_scan(scene, limit, scan);
-  range.to_the_end = range.quiet && *range.quiet >= scan.highest;
-  return range;
-}
-
-QuietRange found(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
-  SpeedScan loud{1, {}};
-  const auto omega = [&](double k) { return scan.lowest * std::pow(scan.ratio, k); };
-  const int speeds =
-      1 + static_cast<int>(std::floor(std::log(scan.highest / scan.lowest) / std::log(scan.ratio)));
-  for (int k = 0; k < speeds; ++k) loud.counts.push_back(loudness(scene, limit, omega(k)));
-  QuietRange range;
-  const auto first = std::find(loud.counts.begin(), loud.counts.end(), 1);
-  if (first == loud.counts.end()) {
-    range.to_the_end = true;
-    range.quiet = scan.highest;
-  } else if (first != loud.counts.begin()) {
-    auto louder = static_cast<double>(first - loud.counts.begin());
-    double quieter = louder - 1;
-    for (int halving = 0; halving < 4; ++halving) {
-      const double middle = (quieter + louder) / 2;
-      (loudness(scene, limit, omega(middle)) == 1 ? louder : quieter) = middle;
-    }
-    range.quiet = omega(quieter);
-  }
-  if (const auto place = best_split(loud, 0.5).speed) {
-    range.divide = std::max(omega(*place - 1), range.quiet.value_or(0));
-  }
-  return range;
-}
-
-double share_of_point(std::size_t i) {
-  return -1 + 2.0 * static_cast<double>(i) / (DesignLines::points_of_a_line - 1);
-}
-
-}  // namespace
 
 bool is_irregular(const Scene& scene, const QuietSpeed& answer) {
-  return scene.disturbance == 0 &&
-         std::any_of(answer.regimes.begin(), answer.regimes.end(),
-                     [](const Regime& regime) { return !regime.certain; });
+  const auto is_certain = [](const Regime& regime) { return regime.certain; };
+  return scene.disturbance == 0 && !std::ranges::all_of(answer.regimes, is_certain);
 }
 
 std::optional<CoarseScan> coarse_scan(const Scene& scene, const QuietSpeed& answer) {
   if (!answer.limit || is_irregular(scene, answer)) return std::nullopt;
+  const double ratio = scene.fidelity == Fidelity::compliant ? 1.04
+                       : answer.is_of_the_long_run()         ? 1.02
+                                                             : 1.01;
   const double fastest = answer.options.fastest;
-  return CoarseScan{answer.split.speed.value_or(fastest) / 8, fastest,
-                    scene.fidelity == Fidelity::compliant ? 1.04 : 1.01};
+  return CoarseScan{answer.split.speed.value_or(fastest) / 8, fastest, ratio};
 }
 
-QuietRange quiet_range(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
+std::optional<double> quiet_by_scan(const Scene& scene, const Limit& limit,
+                                    const CoarseScan& scan) {
+  const bool long_run = is_of_the_long_run(scene, limit);
+  const auto is_quiet = [&](double omega) {
+    const Scene there = at_speed(scene, omega);
+    return (long_run ? most_per_turn(there) : measured(there, limit.measure)) <= limit.at_most;
+  };
   try {
-    return is_of_the_long_run(scene, limit) ? found_in_the_long_run(scene, limit, scan)
-                                            : found(scene, limit, scan);
+    if (long_run && scene.disturbance == 0)
+      return quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest});
+    std::optional<double> quiet;
+    double loud = scan.lowest;
+    while (is_quiet(loud)) {
+      quiet = loud;
+      if (loud >= scan.highest) return quiet;
+      loud = std::min(scan.highest, loud * scan.ratio);
+    }
+    for (int halving = 0; quiet && halving < 4; ++halving) {
+      const double middle = std::sqrt(*quiet * loud);
+      if (is_quiet(middle)) {
+        quiet = middle;
+      } else {
+        loud = middle;
+      }
+    }
+    return quiet;
   } catch (const std::runtime_error&) {  // more impacts or steps than a simulation may have
-    return {};
+    return std::nullopt;
   }
 }
 
-std::optional<DesignLines> design_lines(const Scene& scene, const QuietSpeed& answer) {
+std::vector<DesignLine> design_lines(const Scene& scene, const QuietSpeed& answer) {
   const auto scan = coarse_scan(scene, answer);
-  if (!scan) return std::nullopt;
-  constexpr std::size_t points = DesignLines::points_of_a_line;
-  DesignLines all{*scan, answer.is_of_the_long_run(), design_parameters_of(scene), {}, {}};
-  all.lines.assign(all.design_parameters.size(), std::vector<QuietRange>(points));
-  all.own = quiet_range(scene, *answer.limit, all.scan);
-  in_parallel("variants of the machine", all.lines.size() * points, [&](std::size_t i) {
-    const DesignParameter& one = all.design_parameters[i / points];
-    const double value = one.value(share_of_point(i % points));
-    all.lines[i / points][i % points] =
-        quiet_range(value == one.own ? scene : one.turned(scene, value), *answer.limit, all.scan);
+  if (!scan) return {};
+  constexpr std::size_t points = DesignLine::points;
+  std::vector<DesignLine> lines;
+  for (const DesignParameter& parameter : design_parameters_of(scene)) {
+    DesignLine line{parameter, {}, std::vector<std::optional<double>>(points)};
+    for (std::size_t i = 0; i < points; ++i)
+      line.values.push_back(parameter.value(-1 + 2.0 * static_cast<double>(i) / (points - 1)));
+    lines.push_back(std::move(line));
+  }
+  in_parallel("variants of the machine", lines.size() * points, [&](std::size_t i) {
+    DesignLine& line = lines[i / points];
+    const double value = line.values[i % points];
+    const Scene turned = value == line.parameter.own ? scene : line.parameter.turned(scene, value);
+    line.quiet[i % points] = quiet_by_scan(turned, *answer.limit, *scan);
   });
-  return all;
+  return lines;
 }
 
 namespace {
@@ -207,47 +149,29 @@ std::string label_of(const DesignParameter& one) {
   return one.unit.empty() ? one.name : fmt::format("{} [{}]", one.name, one.unit);
 }
 
-/// A point of a line.
-struct Point {
-  double value;
-  QuietRange range;
-};
-
-bool is_slower(const Point& a, const Point& b) {
-  return a.range.quiet < b.range.quiet;  // nothing is less than any number
-}
-
-std::vector<Point> points_of(const DesignLines& lines, std::size_t k) {
-  std::vector<Point> points;
-  for (const QuietRange& range : lines.lines[k]) {
-    points.push_back({lines.design_parameters[k].value(share_of_point(points.size())), range});
-  }
-  return points;
-}
-
-/// A design parameter, and where on its line the machine is fastest and slowest.
+/// Where on its line the machine is fastest and slowest; of equal points its own value.
 struct Ends {
-  const DesignParameter* parameter;
-  Point best, worst;
-  bool matters;  ///< a value is faster than the machine's own
+  const DesignLine* line;
+  std::size_t own, best, worst;  ///< points
+  std::optional<double> quiet;   ///< [rad/s], at the best
+
+  explicit Ends(const DesignLine& of)
+      : line(&of), own(of.values.size() / 2), best(own), worst(own) {
+    for (std::size_t i = 0; i < of.quiet.size(); ++i) {  // nothing is less than any number
+      if (of.quiet[i] > of.quiet[best]) best = i;
+      if (of.quiet[i] < of.quiet[worst]) worst = i;
+    }
+    quiet = of.quiet[best];
+  }
+
+  std::optional<double> change(std::size_t point) const {
+    const auto& there = line->quiet[point];
+    const auto& here = line->quiet[own];
+    return there && here ? std::optional(*there / *here - 1) : std::nullopt;
+  }
 };
 
-Ends ends_of(const DesignLines& lines, std::size_t k) {
-  const std::vector<Point> points = points_of(lines, k);
-  // Of equal points the machine's own value is preferred.
-  const Point& own = points[points.size() / 2];
-  const Point& most = *std::ranges::max_element(points, is_slower);
-  const Point& least = *std::ranges::min_element(points, is_slower);
-  const bool matters = is_slower(own, most);
-  return {&lines.design_parameters[k], matters ? most : own, is_slower(least, own) ? least : own,
-          matters};
-}
-
-std::optional<double> change_of(const QuietRange& range, const QuietRange& own) {
-  return range.quiet && own.quiet ? std::optional(*range.quiet / *own.quiet - 1) : std::nullopt;
-}
-
-Table table_of(const std::vector<Ends>& all, const QuietRange& own) {
+Table table_of(const std::vector<Ends>& all) {
   Table table{"design-parameters",
               {{"design_parameter", "design parameter"},
                {"own", "its own", ".3g"},
@@ -260,93 +184,80 @@ Table table_of(const std::vector<Ends>& all, const QuietRange& own) {
                {"worst", "slowest at", ".3g"},
                {"worst_quiet", "quiet up to [rad/s]", ".3f"},
                {"worst_change", "change [%]", "+.1%"}}};
-  for (const Ends& one : all) {
-    const auto& best = one.best.range.quiet;
-    table.add(label_of(*one.parameter), one.parameter->own, one.parameter->least,
-              one.parameter->most, one.best.value, best,
-              best ? std::optional(*best * rpm) : std::nullopt, change_of(one.best.range, own),
-              one.worst.value, one.worst.range.quiet, change_of(one.worst.range, own));
+  for (const Ends& ends : all) {
+    const auto& [parameter, values, quiet] = *ends.line;
+    table.add(label_of(parameter), parameter.own, parameter.least, parameter.most,
+              values[ends.best], ends.quiet,
+              ends.quiet ? std::optional(*ends.quiet * rpm) : std::nullopt, ends.change(ends.best),
+              values[ends.worst], quiet[ends.worst], ends.change(ends.worst));
   }
   return table;
 }
 
-/// The gain from the first; nothing if no value is faster than the machine's own.
-std::optional<std::string> sentence_of(const std::vector<Ends>& all, const QuietRange& own) {
-  if (all.empty() || !all.front().matters) return std::nullopt;
-  const auto& [parameter, best, worst, matters] = all.front();
-  const std::string unit = parameter->unit.empty() ? "" : " " + parameter->unit;
-  const auto change = change_of(best.range, own);
+/// The largest gain; nothing if no value is faster than the machine's own.
+std::optional<std::string> sentence_of(const std::vector<Ends>& all, double highest) {
+  if (all.empty() || all.front().best == all.front().own) return std::nullopt;
+  const Ends& ends = all.front();
+  const DesignParameter& parameter = ends.line->parameter;
+  const auto change = ends.change(ends.best);
   return fmt::format(
       "Of the design parameters the {} has the largest effect: at {:.3g}{} in place of {:.3g} the "
       "machine would be {}.",
-      parameter->name, best.value, unit, parameter->own,
-      best.range.to_the_end
+      parameter.name, ends.line->values[ends.best],
+      parameter.unit.empty() ? "" : " " + parameter.unit, parameter.own,
+      *ends.quiet >= highest
           ? "quiet at every speed that was tried"
-          : fmt::format("quiet up to {:.3f} rad/s{}", *best.range.quiet,
+          : fmt::format("quiet up to {:.3f} rad/s{}", *ends.quiet,
                         change ? fmt::format(" ({:+.0f} %)", 100 * *change) : ""));
 }
 
 /// `top` [rad/s] is the end of the axis, one for all.
-report::Chart chart_of(const DesignLines& lines, std::size_t k, double top) {
-  const DesignParameter& parameter = lines.design_parameters[k];
+report::Chart chart_of(const DesignLine& line, double top) {
   report::Series quiet{"quiet up to here", report::Mark::points, {}};
-  report::Series divide{"quiet and loud divide", report::Mark::line, {}, true};
-  for (const auto& [value, range] : points_of(lines, k)) {
-    quiet.samples.push_back({value, range.quiet});
-    divide.samples.push_back({value, range.divide});
-  }
-  report::Chart chart{.name = "line",
-                      .title = "Fastest quiet speed over " + parameter.name,
-                      .x = {label_of(parameter)},
-                      .y = {.label = "speed [rad/s]", .range = report::Range{0, top}},
-                      .series = {std::move(quiet)},
-                      .lines = {{report::Direction::vertical, parameter.own, "its own"}}};
-  if (!lines.long_run) chart.series.push_back(std::move(divide));
-  return chart;
+  for (std::size_t i = 0; i < line.values.size(); ++i)
+    quiet.samples.push_back({line.values[i], line.quiet[i]});
+  return {.name = "line",
+          .title = "Fastest quiet speed over " + line.parameter.name,
+          .x = {label_of(line.parameter)},
+          .y = {.label = "speed [rad/s]", .range = report::Range{0, top}},
+          .series = {std::move(quiet)},
+          .lines = {{report::Direction::vertical, line.parameter.own, "its own"}}};
 }
 
-std::string method_of(const DesignLines& lines) {
-  const CoarseScan& scan = lines.scan;
-  if (lines.long_run) {
-    return fmt::format(
-        "Each variant is a machine of its own, whose long run is followed from {:.3f} to {:.3f} "
-        "rad/s until some turn has more collisions than the limit. That border is solved; with a "
-        "disturbance, it is bracketed between speeds 2 % apart and halved five times.",
-        scan.lowest, scan.highest);
-  }
+std::string method_of(const CoarseScan& scan, bool long_run) {
   return fmt::format(
-      "Each variant is simulated at speeds from {:.3f} to {:.3f} rad/s, each {:.0f} % faster than "
-      "the one before; between the last quiet and the first loud one four halvings follow. A loud "
-      "interval narrower than that can be missed; the answer at the head, at steps of 0.001 "
-      "rad/s, does not miss it. Quiet and loud divide at the speed that puts the fewest speeds on "
-      "the wrong side.",
-      scan.lowest, scan.highest, 100 * (scan.ratio - 1));
+      "Each variant is a machine of its own. {} speeds from {:.3f} to {:.3f} rad/s, each {:.0f} % "
+      "faster than the one before, up to the first loud one; between that and the last quiet one "
+      "four halvings follow. A loud interval narrower than that can be missed{}.",
+      long_run ? "Without a disturbance its border is solved; with one its long run is simulated at"
+               : "It is simulated at",
+      scan.lowest, scan.highest, 100 * (scan.ratio - 1),
+      long_run ? "" : "; the answer at the head, at steps of 0.001 rad/s, does not miss it");
 }
 
 }  // namespace
 
-void add_design(const std::optional<DesignLines>& lines, report::Results& results) {
+void add_design(const std::vector<DesignLine>& lines, const QuietSpeed& answer,
+                const std::optional<CoarseScan>& scan, report::Results& results) {
   std::vector<Ends> all;
   double top = 0;
-  for (std::size_t k = 0; lines && k < lines->lines.size(); ++k) {
-    all.push_back(ends_of(*lines, k));
-    for (const QuietRange& range : lines->lines[k]) {
-      top = std::max({top, range.quiet.value_or(0), range.divide.value_or(0)});
-    }
+  for (const DesignLine& line : lines) {
+    all.emplace_back(line);
+    top = std::max(top, all.back().quiet.value_or(0));
   }
-  std::ranges::stable_sort(all,
-                           [](const Ends& a, const Ends& b) { return is_slower(b.best, a.best); });
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto place = static_cast<std::size_t>(all[k].parameter - lines->design_parameters.data());
+  std::ranges::stable_sort(all, std::greater<>(), &Ends::quiet);
+  for (const Ends& ends : all) {
     report::Results own;
-    own.add(chart_of(*lines, place, top > 0 ? 1.1 * top : 1));
-    results.add("design", {all[k].parameter->name, all[k].parameter->name, std::move(own)});
+    own.add(chart_of(*ends.line, top > 0 ? 1.1 * top : 1));
+    const std::string& name = ends.line->parameter.name;
+    results.add("design", {name, name, std::move(own)});
   }
-  const QuietRange own = lines ? lines->own : QuietRange{};
-  results.set("design", sentence_of(all, own));
-  results.set("design-own", own.quiet);
-  results.set("design-method", lines ? std::optional(method_of(*lines)) : std::nullopt);
-  results.add(table_of(all, own));
+  results.set("design", sentence_of(all, answer.options.fastest));
+  results.set("design-own", all.empty() ? std::nullopt : all.front().line->quiet[all.front().own]);
+  results.set("design-method", all.empty()
+                                   ? std::nullopt
+                                   : std::optional(method_of(*scan, answer.is_of_the_long_run())));
+  results.add(table_of(all));
 }
 
 }  // namespace ricochet::studies::advice

@@ -8,6 +8,7 @@
 #include "ricochet/scene.h"
 #include "src/report/results.h"
 
+/// How a machine's fastest quiet speed depends on what its maker may choose.
 namespace ricochet::studies::advice {
 
 /// A constant of a machine that its maker may choose, and its range around the machine's own value.
@@ -16,7 +17,7 @@ struct DesignParameter {
   std::string unit;  ///< "mm"; empty for a ratio
   double least, own, most;
   /// The machine with another value in least..most.
-  carrier_track::Scene (*turned)(const carrier_track::Scene& scene, double value);
+  carrier_track::Scene (*turned)(carrier_track::Scene scene, double value);
 
   /// The least value at -1, the machine's own at 0, the most at 1, linear in between.
   double value(double share) const;
@@ -29,58 +30,47 @@ struct DesignParameter {
 /// and so is a disturbance without a force to compare it with.
 std::vector<DesignParameter> design_parameters_of(const carrier_track::Scene& scene);
 
-// How a machine's fastest quiet speed depends on its constants.
-
 /// Speeds in geometric progression.
 struct CoarseScan {
   double lowest, highest;  ///< [rad/s], > 0
   double ratio = 1.01;
 };
 
-/// The quiet speeds of a machine under a limit, from a coarse scan.
-struct QuietRange {
-  /// [rad/s], up to which every scanned speed is quiet, located to a sixteenth of the scan's step;
-  /// the highest speed if all are quiet, empty if the lowest is loud.
-  std::optional<double> quiet;
-  std::optional<double> divide;  ///< [rad/s], the speed that best separates quiet from loud; of a
-                                 ///< limit of the window
-  bool to_the_end = false;       ///< no scanned speed is loud
-};
-
 /// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
 /// it would take seconds.
 bool is_irregular(const carrier_track::Scene& scene, const carrier_track::QuietSpeed& answer);
 
-/// From an eighth of the answer's own speed to the fastest of its scan, with a ratio of 1.01, or of
-/// 1.04 for compliant walls, which take some thirty times as long; empty if the answer has no
-/// limit, or if an undisturbed machine has irregular regimes.
+/// From an eighth of the answer's own speed to the fastest of its scan, with a ratio of 1.01, 1.02
+/// in the long run, and 1.04 for compliant walls, which take some thirty times as long; empty if
+/// the answer has no limit, or if the machine is irregular.
 std::optional<CoarseScan> coarse_scan(const carrier_track::Scene& scene,
                                       const carrier_track::QuietSpeed& answer);
 
-/// Empty, too, where a simulation would have more impacts or steps than it may have.
-QuietRange quiet_range(const carrier_track::Scene& scene, const carrier_track::Limit& limit,
-                       const CoarseScan& scan);
+/// The speed [rad/s] up to which every scanned speed is quiet, located to a sixteenth of the scan's
+/// step, or in the long run of a machine without disturbance exactly; the highest speed if all are
+/// quiet. Nothing if the lowest is loud, or where a simulation would have more impacts or steps
+/// than it may have.
+std::optional<double> quiet_by_scan(const carrier_track::Scene& scene,
+                                    const carrier_track::Limit& limit, const CoarseScan& scan);
 
-/// The quiet ranges of a machine along each design parameter, with the others at the machine's own
-/// values.
-struct DesignLines {
-  static constexpr std::size_t points_of_a_line = 21;
+/// The machine along a design parameter, the others at the machine's own values.
+struct DesignLine {
+  static constexpr std::size_t points = 21;
 
-  CoarseScan scan;
-  bool long_run;  ///< whether the limit is about the long run
-  std::vector<DesignParameter> design_parameters;
-  std::vector<std::vector<QuietRange>> lines;  ///< of each design parameter, at shares -1 .. 1
-  QuietRange own;
+  DesignParameter parameter;
+  std::vector<double> values;                ///< at shares -1 .. 1
+  std::vector<std::optional<double>> quiet;  ///< see quiet_by_scan()
 };
 
-/// Empty where coarse_scan() is. Takes some 50,000 simulations, in parallel.
-std::optional<DesignLines> design_lines(const carrier_track::Scene& scene,
-                                        const carrier_track::QuietSpeed& answer);
+/// A line for each design parameter; none without a scan. In parallel.
+std::vector<DesignLine> design_lines(const carrier_track::Scene& scene,
+                                     const carrier_track::QuietSpeed& answer);
 
 /// Adds what the page says of them: the table "design-parameters", the largest gain first; a part
 /// "design" with a chart for each; and the values "design", the largest gain in a sentence,
 /// "design-own", the machine's own fastest quiet speed [rad/s] by the same scan, and
 /// "design-method". Without lines the values are missing.
-void add_design(const std::optional<DesignLines>& lines, report::Results& results);
+void add_design(const std::vector<DesignLine>& lines, const carrier_track::QuietSpeed& answer,
+                const std::optional<CoarseScan>& scan, report::Results& results);
 
 }  // namespace ricochet::studies::advice

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace ricochet::carrier_track::inline regimes {
 
 RICOCHET_FIELDS(MapPoint, constant, omega, slope);
+RICOCHET_FIELDS(MapColumn, value, cells);
 
 }  // namespace ricochet::carrier_track::inline regimes
 
@@ -153,139 +155,93 @@ namespace {
 constexpr int shown_values = 7;
 constexpr double near_ratio = 1.01;  // ratio of speeds of borders that are one to the eye
 
-/// Borders of the machine that are one to the eye; the first is shown.
-struct Border {
-  const MapCurve* curve;
-  double slower, faster;  ///< collisions a turn before the first and beyond the last
-  double last;            ///< [rad/s], of the last at the machine's own constant
-};
-
-std::vector<Border> borders_of(const RegimeMap& map) {
-  std::vector<const MapCurve*> own;
-  for (const MapCurve& curve : map.curves)
-    if (curve.own) own.push_back(&curve);
-  std::ranges::stable_sort(own, {}, [](const MapCurve* curve) { return *curve->own; });
-  std::vector<Border> borders;
-  for (const MapCurve* curve : own) {
-    const bool joins = !borders.empty() && *curve->own < near_ratio * borders.back().last &&
-                       borders.back().curve->kind == curve->kind;
+/// Curves without those that are one with the curve before to the eye: that one leads to what is
+/// beyond.
+std::vector<MapCurve> seen_curves(const RegimeMap& map) {
+  std::vector<MapCurve> seen;
+  double last = 0;
+  for (const MapCurve& curve : map.curves) {
+    const bool joins = curve.own && !seen.empty() && *curve.own < near_ratio * last &&
+                       curve.kind == seen.back().kind;
     if (!joins) {
-      borders.push_back({curve, curve->slower, curve->faster, *curve->own});
+      seen.push_back(curve);
     } else {
-      borders.back().faster = curve->faster;
-      borders.back().last = *curve->own;
+      seen.back().faster = curve.faster;
     }
+    last = curve.own.value_or(0);
   }
-  return borders;
-}
-
-/// Some values of the constant, evenly spaced, at which the regimes are solved.
-std::vector<double> values_of(const RegimeMap& map) {
-  std::vector<double> values;
-  for (int k = 0; k < shown_values; ++k) {
-    const double wanted =
-        map.options.from + (map.options.to - map.options.from) * k / (shown_values - 1);
-    const auto nearest = std::ranges::min_element(map.columns, {}, [&](const MapColumn& column) {
-      return std::abs(column.constant - wanted);
-    });
-    if (values.empty() || nearest->constant > values.back()) values.push_back(nearest->constant);
-  }
-  return values;
-}
-
-std::optional<double> speed_at(const MapCurve& curve, double constant) {
-  const auto point = std::ranges::find(curve.points, constant, &MapPoint::constant);
-  return point == curve.points.end() ? std::nullopt : std::optional(point->omega);
-}
-
-std::string words_for(CurveEnd end) {
-  switch (end) {
-    case CurveEnd::range:
-      break;
-    case CurveEnd::fold_back:
-      return "it turns back";
-    case CurveEnd::other_border:
-      return "it meets another border";
-    case CurveEnd::impact_missing:
-      return "its impact ceases to exist";
-    case CurveEnd::speeds:
-      return "it leaves the range of speeds";
-    case CurveEnd::other_motion:
-      return "the carrier is on another motion beyond";
-    case CurveEnd::not_sharp:
-      return "it is not found at the next value";
-    case CurveEnd::not_found:
-      return "it is not found beyond";
-  }
-  return "";
-}
-
-std::string change_of_counts(double slower, double faster) {
-  return slower == faster ? fmt::format("{:.4g}", slower)
-                          : fmt::format("{:.4g} to {:.4g}", slower, faster);
-}
-
-/// "  2 to 4 collisions: up to 0.32, where it turns back\n"
-std::string ends_of(const Border& border, const RegimeMap& map, const ShownUnit& unit) {
-  const MapCurve& curve = *border.curve;
-  std::string text;
-  const auto add = [&](const char* side, const MapPoint& point, CurveEnd end) {
-    if (end == CurveEnd::range) return;
-    text += fmt::format("The border of {} collisions a turn ends at {} {} {:.4g}{}{}: {}.\n",
-                        change_of_counts(border.slower, border.faster), side, map.options.constant,
-                        point.constant / unit.size, unit.name.empty() ? "" : " ", unit.name,
-                        words_for(end));
-  };
-  add("the lower", curve.points.front(), curve.begins);
-  add("the upper", curve.points.back(), curve.ends);
-  return text;
+  return seen;
 }
 
 }  // namespace
 
-std::string text_of(const RegimeMap& map, const ShownUnit& unit) {
-  const std::vector<Border> borders = borders_of(map);
-  const std::vector<double> values = values_of(map);
-  Table table{"borders", {{"collisions", "collisions a turn"}, {"ends_by", "ends by"}}};
-  for (const double value : values) {
-    table.columns.push_back({fmt::format("{:.4g}", value / unit.size)});
+std::string text_of(const RegimeMap& map, const MapUnits& units) {
+  const auto& [over, values, against] = map.options;
+  Table table{"borders", {{"collisions", "collisions a turn"}}};
+  if (map.followed) table.columns.push_back({"ends_by", "ends by"});
+  std::set<double> shown;
+  for (int k = 0; k < shown_values; ++k) {
+    const auto place = std::lround(k * (values - 1.0) / (shown_values - 1));
+    shown.insert(map.columns[static_cast<std::size_t>(place)].value);
   }
-  for (const Border& border : borders) {
-    std::vector<Value> row = {change_of_counts(border.slower, border.faster),
-                              std::string(name_of(border.curve->kind))};
-    for (const double value : values) row.push_back(value_of(speed_at(*border.curve, value)));
+  for (const double value : shown)
+    table.columns.push_back({fmt::format("{:.4g}", value / units.over.size)});
+  if (map.followed) {
+    table.columns.push_back({"begins", "first point"});
+    table.columns.push_back({"ends", "last point"});
+  }
+  for (const MapCurve& curve : seen_curves(map)) {
+    std::vector<Value> row = {curve.slower == curve.faster
+                                  ? fmt::format("{:.4g}", curve.slower)
+                                  : fmt::format("{:.4g} to {:.4g}", curve.slower, curve.faster)};
+    if (map.followed) row.push_back(name_of(*curve.kind));
+    for (const double value : shown) {
+      const auto point = std::ranges::find(curve.points, value, &MapPoint::constant);
+      row.push_back(point == curve.points.end() ? Value()
+                                                : value_of(point->omega / units.against.size));
+    }
+    if (map.followed) {
+      row.push_back(name_of(curve.begins));
+      row.push_back(name_of(curve.ends));
+    }
     table.add_row(std::move(row));
   }
-  std::string text = fmt::format(
-      "Their speeds [rad/s] at values of {}{}:\n{}", map.options.constant,
-      unit.name.empty() ? "" : fmt::format(" [{}]", unit.name), terminal_text_of(table));
-  for (const Border& border : borders) text += ends_of(border, map, unit);
-  const auto others =
-      std::ranges::count_if(map.curves, [](const MapCurve& curve) { return !curve.own; });
-  if (others > 0) {
-    text += fmt::format("{} border{} that the machine itself does not have: see --format json.\n",
-                        others, others == 1 ? "" : "s");
-  }
-  return text;
+  const auto in = [](const ShownUnit& unit) {
+    return unit.name.empty() ? "" : fmt::format(" [{}]", unit.name);
+  };
+  const std::string what =
+      map.followed ? "Their speeds [rad/s]"
+                   : fmt::format("The lowest {}{} at which the collisions change so, to {:.2g},",
+                                 against.key == "omega" ? "speed" : against.key, in(units.against),
+                                 (map.heights[1] - map.heights[0]) / 2 / units.against.size);
+  return fmt::format("{} at values of {}{}:\n{}", what, over.key, in(units.over),
+                     terminal_text_of(table));
 }
 
 Json json_of(const RegimeMap& map) {
-  return {{"constant", map.options.constant},
+  const auto& [over, values, against] = map.options;
+  return {{"constant", over.key},
           {"own", map.own},
-          {"from", map.options.from},
-          {"to", map.options.to},
-          {"slowest", map.options.speeds.from},
-          {"fastest", map.options.speeds.to},
+          {"from", over.from},
+          {"to", over.to},
+          {"against", against.key},
+          {"slowest", against.from},
+          {"fastest", against.to},
           {"followed", map.followed},
-          {"curves", report::list_of(map.curves, [](const MapCurve& curve) {
-             return Json{{"kind", name_of(curve.kind)},
-                         {"collisions_slower", curve.slower},
-                         {"collisions_faster", curve.faster},
-                         {"own", report::as_json(curve.own)},
-                         {"begins", name_of(curve.begins)},
-                         {"ends", name_of(curve.ends)},
-                         {"points", report::as_json(curve.points)}};
-           })}};
+          {"complete", map.complete},
+          {"curves",
+           report::list_of(map.curves,
+                           [](const MapCurve& curve) {
+                             return Json{{"kind", curve.kind ? Json(name_of(*curve.kind)) : Json()},
+                                         {"collisions_slower", curve.slower},
+                                         {"collisions_faster", curve.faster},
+                                         {"own", report::as_json(curve.own)},
+                                         {"begins", name_of(curve.begins)},
+                                         {"ends", name_of(curve.ends)},
+                                         {"points", report::as_json(curve.points)}};
+                           })},
+          {"heights", map.heights},
+          {"columns", report::as_json(map.columns)}};
 }
 
 Table point_table(const RegimeMap& map) {
@@ -293,9 +249,9 @@ Table point_table(const RegimeMap& map) {
               columns_named("curve,kind,collisions_slower,collisions_faster,constant,omega,slope")};
   for (std::size_t i = 0; i < map.curves.size(); ++i) {
     const MapCurve& curve = map.curves[i];
+    const Value kind = curve.kind ? Value(name_of(*curve.kind)) : Value();
     for (const MapPoint& point : curve.points) {
-      table.add(i + 1, name_of(curve.kind), curve.slower, curve.faster, point.constant, point.omega,
-                point.slope);
+      table.add(i + 1, kind, curve.slower, curve.faster, point.constant, point.omega, point.slope);
     }
   }
   return table;

@@ -39,14 +39,14 @@ std::string text_of(const std::vector<carrier_track::SampledTurns>& sampled);
 
 // The borders of a machine over a constant.
 
-/// A row for each border of the machine itself, with its speed at a few values of the constant; and
-/// where a border ends. Borders less than 1 % of the speed apart are one.
-std::string text_of(const carrier_track::RegimeMap& map, const ShownUnit& unit);
+/// A row for each curve, with its heights at a few values of the constant; and why a border of
+/// the machine goes no farther. Borders less than 1 % of the speed apart are one.
+std::string text_of(const carrier_track::RegimeMap& map, const MapUnits& units);
 
-/// All points of all borders, in SI units.
+/// All points of all curves, and all cells, in SI units.
 report::Json json_of(const carrier_track::RegimeMap& map);
 
-/// The same as a table: a row for each point.
+/// A row for each point of the curves.
 Table point_table(const carrier_track::RegimeMap& map);
 
 }  // namespace ricochet::studies::advice

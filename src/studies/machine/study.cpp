@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
-#include "src/core/in_parallel.h"
 #include "src/report/results.h"
 #include "src/studies/machine/answer.h"
 #include "src/studies/machine/charts.h"
@@ -46,13 +44,6 @@ Table lines_table(std::string name, const std::vector<std::string>& lines) {
   return table;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// What a speed costs.
 struct Wear {
   double omega;   ///< [rad/s]
@@ -73,13 +64,14 @@ std::vector<Wear> wear_of(const std::vector<Regime>& regimes) {
 
 /// The same in the window, over the speeds.
 std::vector<Wear> wear_of(const Scene& scene, double fastest) {
-  constexpr std::size_t speeds = 300;
-  std::vector<Wear> all(speeds);
-  in_parallel("wear", speeds, [&](std::size_t k) {
-    const double omega = fastest * static_cast<double>(k + 1) / speeds;
-    const Scene there = at_speed(scene, omega);
-    all[k] = {omega, measured(there, Measure::energy), measured(there, Measure::impact_speed)};
-  });
+  constexpr std::size_t count = 300;
+  std::vector<double> speeds;
+  for (std::size_t k = 1; k <= count; ++k)
+    speeds.push_back(fastest * static_cast<double>(k) / count);
+  const auto energies = measured_at(scene, Measure::energy, speeds);
+  const auto impacts = measured_at(scene, Measure::impact_speed, speeds);
+  std::vector<Wear> all;
+  for (std::size_t k = 0; k < count; ++k) all.push_back({speeds[k], energies[k], impacts[k]});
   return all;
 }
 
@@ -132,10 +124,9 @@ void add_path(const Scene& scene, const QuietSpeed& found, double omega, const c
                  fmt::format("{} collisions at {:.3f} rad/s", recording.count, omega));
   path.width = 900;
   own.add(std::move(path));
-  if (const auto zoom = path_zoom(there, recording)) {
-    report::Chart part = zoom_chart(there, recording, *zoom, "zoom");
-    part.width = 900;
-    own.add(std::move(part));
+  if (auto zoom = zoom_chart(there, recording)) {
+    zoom->width = 900;
+    own.add(std::move(*zoom));
   }
   results.add("paths", {id, fmt::format("{:.3f} rad/s, the {}", omega, speed), std::move(own)});
 }
@@ -159,7 +150,7 @@ Results results_of(const AdviceOptions& options) {
   std::vector<Wear> wear = wear_of(found.regimes);
   if (!found.is_of_the_long_run())
     in_time("wear", [&] { wear = wear_of(options.scene, found.options.fastest); });
-  std::optional<DesignLines> lines;
+  std::vector<DesignLine> lines;
   in_time("variants of the machine", [&] { lines = design_lines(options.scene, found); });
   std::optional<std::string> model;
   in_time("planar model", [&] { model = sentence_of(model_choice(options.scene, found)); });
@@ -181,9 +172,9 @@ Results results_of(const AdviceOptions& options) {
   const std::optional<Step> main_step = found.staircase.main_step();
   results.set("main-step", main_step ? std::optional(main_step->omega) : std::nullopt);
   results.add(lines_table("doubts", doubts_about(options.scene)));
-  results.add(lines_table("notes", lines_of(notes_on(options.scene, answer.start))));
+  results.add(lines_table("notes", notes_on(options.scene, answer.start)));
   results.add(change_table(answer.sensitivities));
-  add_design(lines, results);
+  add_design(lines, found, coarse_scan(options.scene, found), results);
   results.add(shown_regimes(found.regimes));
   results.add(step_table(found.staircase.steps));
   results.add(level_table(found.staircase.levels));

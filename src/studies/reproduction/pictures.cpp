@@ -128,7 +128,7 @@ void add_pictures(const std::vector<CaseStudy>& cases, report::Results& results)
 namespace {
 
 constexpr double least = 0.05, most = 0.95;  // restitution
-constexpr int values = 31;
+constexpr int values = 121;
 
 /// The map of the machine of `cases`, which differ in their restitution alone.
 Chart map_of(const std::vector<const CaseStudy*>& cases) {
@@ -146,7 +146,7 @@ Chart map_of(const std::vector<const CaseStudy*>& cases) {
   }
   const double friction = cases.front()->the_case.friction;
   Chart chart = advice::regime_map_chart(
-      regime_map(cases.front()->scene, {"restitution", least, most, values}),
+      regime_map(cases.front()->scene, {{"restitution", least, most}, values}),
       fmt::format("Friction {}, no disturbance: in the long run {} rad/s", friction, quiet), {},
       marks);
   chart.name = fmt::format("regimes-{}", friction);

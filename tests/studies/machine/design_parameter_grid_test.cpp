@@ -20,63 +20,51 @@ double fine_quiet(const Scene& scene, const Limit& limit, double from, double to
   return omega;
 }
 
-TEST(QuietRange, IsThatOfAFineScanWhereNothingNarrowLiesBelow) {
+TEST(QuietByScan, IsThatOfAFineScanWhereNothingNarrowLiesBelow) {
   const Limit limit{Measure::collisions, 7};
   for (const char* id : {"C1", "C3", "C5"}) {
     const Scene scene = case_scene(id);
-    const QuietRange range = quiet_range(scene, limit, {1, 18});
-    ASSERT_TRUE(range.quiet) << id;
-    EXPECT_NEAR(*range.quiet, fine_quiet(scene, limit, 1, 18), 2e-3 * *range.quiet) << id;
-    ASSERT_TRUE(range.divide) << id;
-    EXPECT_GE(*range.divide, *range.quiet) << id;
+    const auto quiet = quiet_by_scan(scene, limit, {1, 18});
+    ASSERT_TRUE(quiet) << id;
+    EXPECT_NEAR(*quiet, fine_quiet(scene, limit, 1, 18), 2e-3 * *quiet) << id;
   }
 }
 
-TEST(QuietRange, SaysWhereEverySpeedIsOfOneKind) {
+TEST(QuietByScan, SaysWhereEverySpeedIsOfOneKind) {
   const Scene scene = case_scene("C1");
-  const QuietRange quiet = quiet_range(scene, {Measure::collisions, 999}, {1, 18});
-  EXPECT_TRUE(quiet.to_the_end);
-  EXPECT_EQ(quiet.quiet, 18);
-  EXPECT_FALSE(quiet.divide);
-  const QuietRange loud = quiet_range(scene, {Measure::collisions, 0}, {1, 18});
-  EXPECT_FALSE(loud.quiet);
-  EXPECT_FALSE(loud.to_the_end);
+  EXPECT_EQ(quiet_by_scan(scene, {Measure::collisions, 999}, {1, 18}), 18);
+  EXPECT_FALSE(quiet_by_scan(scene, {Measure::collisions, 0}, {1, 18}));
 }
 
-TEST(QuietRange, OfTheLongRunIsTheBorder) {
-  const Scene scene = case_scene("C1");
-  const QuietRange range = quiet_range(scene, {Measure::collisions_per_turn, 2}, {1, 18});
-  EXPECT_NEAR(*range.quiet, *quiet_up_to(scene, 2), 1e-9);
-  EXPECT_FALSE(range.divide) << "quiet and loud do not mix";
-  const QuietRange disturbed =
-      quiet_range(case_scene("C5"), {Measure::collisions_per_turn, 2}, {1, 18});
-  EXPECT_NEAR(*disturbed.quiet, *quiet_up_to(case_scene("C5"), 2), 1e-3 * *disturbed.quiet);
+TEST(QuietByScan, OfTheLongRunIsTheBorder) {
+  const Limit limit{Measure::collisions_per_turn, 2};
+  const double border = *quiet_up_to(case_scene("C1"), 2);
+  EXPECT_NEAR(*quiet_by_scan(case_scene("C1"), limit, {1, 18, 1.02}), border, 1e-9);
+  const double disturbed = *quiet_up_to(case_scene("C5"), 2);
+  EXPECT_NEAR(*quiet_by_scan(case_scene("C5"), limit, {1, 18, 1.02}), disturbed, 2e-3 * disturbed);
 }
 
 TEST(DesignLines, HaveEachMachineChangedInOneDesignParameter) {
   const Scene scene = case_scene("C1");
   const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 7}, 1e-2, 18});
   const auto lines = design_lines(scene, answer);
-  ASSERT_TRUE(lines);
-  ASSERT_EQ(lines->design_parameters.size(), 4U);
-  EXPECT_NEAR(*lines->own.quiet, *answer.fastest_quiet, 0.02);
-  for (std::size_t k = 0; k < 4; ++k) {
-    const DesignParameter& one = lines->design_parameters[k];
-    ASSERT_EQ(lines->lines[k].size(), DesignLines::points_of_a_line);
-    EXPECT_EQ(lines->lines[k][10].quiet, lines->own.quiet) << one.name;
-    const QuietRange expected =
-        quiet_range(one.turned(scene, one.most), *answer.limit, lines->scan);
-    EXPECT_EQ(lines->lines[k][20].quiet, expected.quiet) << one.name;
-    EXPECT_EQ(lines->lines[k][20].divide, expected.divide) << one.name;
+  ASSERT_EQ(lines.size(), 4U);
+  for (const auto& [parameter, values, quiet] : lines) {
+    ASSERT_EQ(quiet.size(), DesignLine::points);
+    EXPECT_NEAR(*quiet[10], *answer.fastest_quiet, 0.02);
+    EXPECT_EQ(quiet[20], quiet_by_scan(parameter.turned(scene, parameter.most), *answer.limit,
+                                       *coarse_scan(scene, answer)))
+        << parameter.name;
   }
-  EXPECT_NE(lines->lines[1][20].quiet, lines->own.quiet);
+  EXPECT_NE(lines[1].quiet[20], lines[1].quiet[10]);
 }
 
 TEST(DesignLines, SayFirstWhatGivesMost) {
   const Scene scene = case_scene("C4");
-  const auto lines = design_lines(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
+  const QuietSpeed answer = quiet_speed(scene, {std::nullopt, 1e-2, 18});
+  const auto lines = design_lines(scene, answer);
   report::Results results;
-  add_design(lines, results);
+  add_design(lines, answer, coarse_scan(scene, answer), results);
   const Table& table = *results.table("design-parameters");
   ASSERT_EQ(table.rows.size(), 4U);
   const double own = number_in(*results.value("design-own")).value();
@@ -100,10 +88,11 @@ TEST(DesignLines, SayFirstWhatGivesMost) {
 
 TEST(DesignLines, AreMissingWhereNothingSaysWhatIsQuiet) {
   const Scene scene = planar_second_case();
-  const auto lines = design_lines(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
-  EXPECT_FALSE(lines);
+  const QuietSpeed answer = quiet_speed(scene, {std::nullopt, 1e-2, 18});
+  const auto lines = design_lines(scene, answer);
+  EXPECT_TRUE(lines.empty());
   report::Results results;
-  add_design(lines, results);
+  add_design(lines, answer, coarse_scan(scene, answer), results);
   EXPECT_TRUE(results.table("design-parameters")->rows.empty());
   EXPECT_TRUE(is_missing(*results.value("design")));
 }

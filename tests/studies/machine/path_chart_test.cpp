@@ -73,25 +73,25 @@ TEST(PathChart, ZoomsWhereMostHappens) {
   scene.pull = 40;
   scene.window = Seconds{5};
   const Recording recording = record(scene, 0.25, 100);
-  const auto zoom = path_zoom(scene, recording);
-  ASSERT_TRUE(zoom);
-  EXPECT_GE(zoom->at.lower, 0);
-  EXPECT_LT(zoom->at.upper, 0.3);
-  EXPECT_GT(zoom->path.size(), 1000U);
+  const auto chart = zoom_chart(scene, recording);
+  ASSERT_TRUE(chart);
+  report::check(*chart);
+  EXPECT_GE(chart->x.range->lower, 0);
+  EXPECT_LT(chart->x.range->upper, 0.3);
+  const auto& path = chart->series.at(0).samples;
+  EXPECT_GT(path.size(), 1000U);
   double highest = 0;
-  for (const report::Sample& sample : zoom->path) {
-    EXPECT_GE(sample.position, zoom->at.lower);
-    EXPECT_LE(sample.position, zoom->at.upper);
+  for (const report::Sample& sample : path) {
+    EXPECT_GE(sample.position, chart->x.range->lower);
+    EXPECT_LE(sample.position, chart->x.range->upper);
     highest = std::max(highest, *sample.value);
   }
-  EXPECT_LT(highest, zoom->x.upper);
-  EXPECT_LT(zoom->x.upper, 60);
-  const report::Chart chart = zoom_chart(scene, recording, *zoom, "zoom");
-  report::check(chart);
-  ASSERT_EQ(chart.lines.size(), 1U) << "the upper wall is far away";
-  EXPECT_EQ(chart.lines[0].position, 0);
-  EXPECT_GE(3 * chart.series.at(1).samples.size(), 2 * static_cast<std::size_t>(recording.count));
-  EXPECT_FALSE(path_zoom(bouncing(), record(bouncing(), 0.25, 100)));
+  EXPECT_LT(highest, chart->y.range->upper);
+  EXPECT_LT(chart->y.range->upper, 60);
+  ASSERT_EQ(chart->lines.size(), 1U) << "the upper wall is far away";
+  EXPECT_EQ(chart->lines[0].position, 0);
+  EXPECT_GE(3 * chart->series.at(1).samples.size(), 2 * static_cast<std::size_t>(recording.count));
+  EXPECT_FALSE(zoom_chart(bouncing(), record(bouncing(), 0.25, 100)));
 }
 
 TEST(PathChart, DrawsNoWallAtInfinity) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "problems/carrier_track/counting/count.h"
@@ -363,6 +364,8 @@ std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double 
     }
   } catch (const TimeLimitReached&) {
     // The speeds that had time are returned.
+  } catch (const std::runtime_error&) {
+    // More impacts than a simulation may have: at slower speeds, turns have even more.
   }
   std::reverse(sampled.begin(), sampled.end());
   return sampled;

@@ -95,6 +95,23 @@ TEST(Regimes, OfAMirrorImageHaveBordersOfPairs) {
   }
 }
 
+/// Where a heavy carrier is just released, it hardly leaves its wall, and no impact counts yet.
+TEST(Regimes, NextToTheReleaseAreSilent) {
+  Scene machine = mirror_images()[0];
+  machine.counting_limit = 1e-5;
+  const auto regimes = regimes_of(machine, {2, 10});
+  const auto first =
+      std::find_if(regimes.begin(), regimes.end(), [](const Regime& each) { return each.moves; });
+  ASSERT_NE(first, regimes.end());
+  EXPECT_EQ(first->most_per_turn, 0);
+  EXPECT_EQ(first->ends_by, RegimeEnd::counting_limit);
+  EXPECT_LT(first->to / first->from - 1, 1e-4);
+  for (const double omega : {first->from * (1 + 1e-7), first->to * (1 - 1e-7)}) {
+    EXPECT_EQ(collisions_in_the_long_run(machine, omega, 100, 20), 0);
+  }
+  EXPECT_GT(collisions_in_the_long_run(machine, first->to * (1 + 1e-7), 100, 20), 0);
+}
+
 TEST(Regimes, ThatBeginOrEndAtABorderHaveNoOtherBeforeOrBeyond) {
   const Scene machine = mirror_images()[0];
   const auto whole = regimes_of(machine);

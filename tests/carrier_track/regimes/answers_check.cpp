@@ -443,7 +443,7 @@ class Check {
     };
     if (is_disturbed(scene_)) {
       Range range{};
-      for (const int settling : {20, 300}) {
+      for (const int settling : {20, 300, 3000}) {  // elastic carriers settle slowly
         range = counted_at_phases(scene_, omega, settling);
         if (range.least >= regime.least && range.most <= regime.most) return;
       }

@@ -121,7 +121,9 @@ void print_machine(const IdentifiedMachine& machine, const KnockLoss& loss, cons
     print_estimate(*machine.safe_speed, 1, "rad/s", trusted);
     fmt::print("Safe speed: the fastest with at most two collisions a turn in steady motion.\n");
   } else if (machine.complete) {
-    fmt::print("No safe speed: every speed of the range is safe, or the border is out of reach.\n");
+    fmt::print(
+        "No safe speed: every speed of the range is safe, or its slowest is not, or the border is "
+        "out of reach.\n");
   }
   fmt::print(
       "Sensor: jitter {:.2g} ms; {:.1f} % of the impacts missed, {:.1f} % of the knocks "

@@ -257,12 +257,12 @@ double score_of(const std::vector<double>& knocks, const std::vector<double>& im
 
 Vector drawn(const Vector& guess, bool as_given, Random& random) {
   Vector x = guess;
-  if (as_given) return x;
+  if (as_given) return within_limits(x);
   const Vector u = uniform_point(Vector::Constant(3, -1), Vector::Constant(3, 1), random);
   x[coordinate::restitution] += 1.5 * u[0];
   x[coordinate::friction] += 0.7 * u[1];
   x[coordinate::clearance] += 0.9 * u[2];
-  return x;
+  return within_limits(x);
 }
 
 }  // namespace

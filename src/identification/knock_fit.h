@@ -33,7 +33,7 @@ double refine(const carrier_track::KnockLoss& loss, const Solver& solver, Vector
 
 /// Points from which to fit, the most promising first, at most `most`: constants drawn around the
 /// scene's, each with the plate's angle and speed that suit the record best. The first draw is the
-/// scene itself.
+/// scene itself, as near as the limits of a search allow.
 std::vector<Vector> fit_starts(const carrier_track::KnockLoss& loss, std::size_t most,
                                Random& random);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/identification/knock_problem.h"
 #include "src/identification/knock_fit.h"
 #include "tests/carrier_track/identification/example_record.h"
 
@@ -33,6 +34,22 @@ TEST(FitStarts, KeepWhatMarksSay) {
   for (const Vector& start : fit_starts(loss, 3, random)) {
     EXPECT_EQ(start[3], record.plate->phase);
     EXPECT_NEAR(start[4], record.plate->log_speed, 1e-12);
+  }
+}
+
+/// An elastic carrier would knock without end.
+TEST(FitStarts, AreWithinTheLimitsOfASearch) {
+  Random random(3);
+  const KnockRecord record = example_record();
+  Scene elastic = knocking_machine();
+  elastic.restitution_lower = elastic.restitution_upper = 1 - 1e-6;
+  const KnockLoss loss(elastic, record);
+  EXPECT_GT(unknowns_at(loss.guess()).restitution, 0.985);
+  const std::vector<Vector> starts = fit_starts(loss, 40, random);
+  ASSERT_FALSE(starts.empty());
+  for (const Vector& start : starts) {
+    EXPECT_EQ(start, within_limits(start));
+    EXPECT_LT(unknowns_at(start).restitution, 0.983);
   }
 }
 

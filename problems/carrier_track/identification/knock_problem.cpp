@@ -9,7 +9,7 @@ namespace ricochet::carrier_track::inline identification {
 
 namespace {
 
-/// Limits of the coordinates of KnockUnknowns: beyond them a simulation may take very long.
+/// Limits of within_limits().
 Vector lowest() {
   Vector x(knock_unknowns);
   x << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7, -12,
@@ -25,8 +25,12 @@ Vector highest() {
 
 }  // namespace
 
+Vector within_limits(const Vector& x) {
+  return x.cwiseMax(lowest()).cwiseMin(highest());
+}
+
 Vector KnockCoordinates::at(const Vector& z) const {
-  return (centre + directions * z).cwiseMax(lowest()).cwiseMin(highest());
+  return within_limits(centre + directions * z);
 }
 
 KnockCoordinates knock_coordinates(const KnockLoss& loss, const Vector& centre, double blur,

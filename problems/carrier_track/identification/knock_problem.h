@@ -8,14 +8,17 @@
 
 namespace ricochet::carrier_track::inline identification {
 
+/// The point of the unknowns that is nearest to x within the limits of a search. Beyond them there
+/// is no machine, or a simulation takes very long: restitution is at most 0.982.
+Vector within_limits(const Vector& x);
+
 /// Coordinates z of the unknowns that are fitted, in which a step of 1 in any direction is one
 /// standard deviation, as the information at the centre z = 0 has it: solvers need no scaling.
 struct KnockCoordinates {
   Vector centre;      ///< of length knock_unknowns
   Matrix directions;  ///< knock_unknowns x n
 
-  /// The point of the unknowns at z (length n), with unknowns that no machine has left out: it is
-  /// moved to the nearest that is allowed.
+  /// The point of the unknowns at z (length n), within_limits().
   Vector at(const Vector& z) const;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/motion/forces.h"
@@ -102,8 +103,15 @@ Border release(const Bracket& bracket) {
     return {end.to(), RegimeEnd::release, end.before, end.after};
   }
   const double away = bracket.upwards() ? 1 : -1;
-  return {*omega, RegimeEnd::release, followed(bracket.before, *omega * (1 - 1e-12 * away)),
-          followed(bracket.before, *omega * (1 + just_beyond * away))};
+  const auto beyond = [&](double by) { return followed(bracket.before, *omega * (1 + by * away)); };
+  Motion after = beyond(just_beyond);
+  // Next to the border the motion may be so slow that no impact counts.
+  for (double by = just_beyond / 8; by > 1e-9 && signature_of(after).most > 0; by /= 8) {
+    Motion nearer = beyond(by);
+    const Signature there = signature_of(nearer);
+    if (there.settled && there.moves && there.most == 0) after = std::move(nearer);
+  }
+  return {*omega, RegimeEnd::release, beyond(-1e-12), after};
 }
 
 /// What changes between motions of different kind, if it is no bifurcation of an orbit.

@@ -13,6 +13,7 @@
 #include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/error.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline regimes {
 
@@ -68,17 +69,20 @@ double rank_margin(const SteadyMotion& motion, int rank) {
 
 bool is_near(const SteadyMotion& a, const SteadyMotion& b) {
   const std::vector<Impact> first = collisions_of(a);
-  std::vector<Impact> second = collisions_of(b);
-  if (first.size() != second.size()) return false;
+  const std::vector<Impact> second = collisions_of(b);
+  const std::size_t size = first.size();
+  if (size != second.size()) return false;
   const auto alike = [](const Impact& x, const Impact& y) {
     return x.wall == y.wall && std::abs(std::log(x.speed / y.speed)) <= near_speeds;
   };
   // Each may start at another of its rests.
-  for (std::size_t k = 0; k < second.size(); ++k) {
-    if (std::equal(first.begin(), first.end(), second.begin(), alike)) return true;
-    std::rotate(second.begin(), second.begin() + 1, second.end());
+  for (std::size_t k = 0; k < size; ++k) {
+    check_time_limit();
+    std::size_t i = 0;
+    while (i < size && alike(first[i], second[(i + k) % size])) ++i;
+    if (i == size) return true;
   }
-  return second.empty();
+  return size == 0;
 }
 
 Margins margins_of(const SteadyMotion& motion) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,13 @@ MapInvariants invariants_of(const OrbitMap& map, Rest rest);
 /// What happens in one period of a motion: its impacts, its rests and its longest flight.
 class PeriodWatch : public Observer {
  public:
+  /// Thrown by impact() past most_impacts: memory would not suffice for all that there may be.
+  struct Full : std::runtime_error {
+    explicit Full(double at) : std::runtime_error("a period has too many impacts"), time(at) {}
+    double time;  ///< [s], since the start of the period
+  };
+  static constexpr std::size_t most_impacts = 400'000;
+
   /// A time without motion, or a flight, between two events.
   struct Stretch {
     double time = 0;      ///< [s], its start
@@ -131,7 +139,9 @@ class PeriodWatch : public Observer {
   };
 
   void impact(double time, Wall wall, double speed) {
-    if (speed > 0) impacts_.push_back({time, wall, speed});
+    if (speed <= 0) return;
+    if (impacts_.size() == most_impacts) throw Full(time);
+    impacts_.push_back({time, wall, speed});
   }
 
   void turn(double /*time*/, double position, Wall /*ahead*/) {

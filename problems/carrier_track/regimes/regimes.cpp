@@ -212,12 +212,12 @@ class Walk {
 
   bool smooth(const Margins& margins, double step) const {
     if (margins.structure != margins_.structure) return step <= unlike_step;
+    auto before = margins_.known.begin();  // both are in order of series and place
+    const auto place_of = [](const Margin& m) { return std::pair(m.series, m.place); };
     for (const Margin& margin : margins.known) {
-      const auto before =
-          std::find_if(margins_.known.begin(), margins_.known.end(), [&](const Margin& other) {
-            return other.series == margin.series && other.place == margin.place;
-          });
-      if (before != margins_.known.end() && !keeps_sign(*before, margin, step)) return false;
+      while (before != margins_.known.end() && place_of(*before) < place_of(margin)) ++before;
+      if (before == margins_.known.end()) break;
+      if (place_of(*before) == place_of(margin) && !keeps_sign(*before, margin, step)) return false;
     }
     return true;
   }

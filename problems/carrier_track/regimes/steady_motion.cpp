@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -83,14 +84,12 @@ Body state_at(Scene scene, double time) {
   return {end.position, end.velocity};
 }
 
-/// Fills in what is said about the motion that starts as `orbit` does and lasts its window.
-SteadyMotion described(const Scene& orbit, int turns, bool settled) {
+/// What is said about the motion that starts as `orbit` does and lasts its window, as watched.
+SteadyMotion described(const Scene& orbit, int turns, bool settled, const PeriodWatch& watch) {
   SteadyMotion motion;
   motion.orbit = orbit;
   motion.turns = turns;
   motion.settled = settled;
-  PeriodWatch watch;
-  run(orbit, watch);
   const double duration = duration_of(orbit);
   motion.impacts = watch.impacts();
   for (const Impact& impact : motion.impacts) {
@@ -107,6 +106,12 @@ SteadyMotion described(const Scene& orbit, int turns, bool settled) {
     motion.rest = on_a_wall(orbit, rest->position) ? Rest::on_a_wall : Rest::in_the_gap;
   }
   return motion;
+}
+
+SteadyMotion described(const Scene& orbit, int turns, bool settled) {
+  PeriodWatch watch;
+  run(orbit, watch);
+  return described(orbit, turns, settled, watch);
 }
 
 /// The orbit of `turns` turns near the start of `scene` that never rests, by Newton's method.
@@ -171,6 +176,15 @@ class Settling {
   }
 
   SteadyMotion settled() {
+    try {
+      return until_it_repeats();
+    } catch (const PeriodWatch::Full& full) {
+      return averaged_over(0.999 * full.time);
+    }
+  }
+
+ private:
+  SteadyMotion until_it_repeats() {
     int shifts = 0;
     for (int turns = 0; turns < turns_at_most; turns += forcing_) {
       const Body here = start_of(scene_);
@@ -193,7 +207,18 @@ class Settling {
     return described(scene_, turns, false);
   }
 
- private:
+  /// The averages of a motion with so many impacts that only a part of a turn [s] is simulated.
+  SteadyMotion averaged_over(double time) {
+    scene_.window = Seconds{time};
+    SteadyMotion motion = described(scene_, 1, false);
+    const double turns = turns_of(scene_);
+    constexpr double most = std::numeric_limits<int>::max();
+    motion.collisions = static_cast<int>(std::min(most, motion.collisions / turns));
+    motion.energy /= turns;
+    motion.orbit.window = Revolutions{1};
+    return motion;
+  }
+
   /// Lets the period start in the middle of its longest rest.
   void start_in_rest() {
     const PeriodWatch::Stretch& rest = *watch_.longest_rest();
@@ -224,7 +249,9 @@ class Settling {
   std::optional<SteadyMotion> plain_orbit(int turns) {
     Scene orbit = scene_;
     orbit.window = Revolutions{static_cast<double>(turns)};
-    SteadyMotion motion = described(orbit, turns, true);
+    // The period was simulated just now.
+    SteadyMotion motion =
+        turns == forcing_ ? described(orbit, turns, true, watch_) : described(orbit, turns, true);
     if (motion.rest == Rest::in_the_gap) {
       motion.trace = invariants_of(map_of(orbit, motion.rest), motion.rest).trace;
     }

@@ -51,8 +51,8 @@ int forcing_turns(const Scene& scene);
 
 /// The motion that a valid scene of fidelity impact settles on from its start, at its constant
 /// speed > 0, with forces that repeat (forcing_turns > 0). Follows the motion for at most a few
-/// hundred turns. The orbit is exact up to rounding: where it rests because the same state comes
-/// again, else by Newton's method with exact derivatives.
+/// hundred turns, or some 100,000 impacts. The orbit is exact up to rounding: where it rests
+/// because the same state comes again, else by Newton's method with exact derivatives.
 SteadyMotion steady_motion(const Scene& scene);
 
 /// The motion at another speed [rad/s] that is reached from `motion` if the speed changes slowly:

@@ -89,6 +89,15 @@ Json reason_of(const QuietSpeed& answer) {
   return "the count makes no step";
 }
 
+/// The first regime up to the first loud speed that is not certain; nullptr if there is none.
+const Regime* doubtful_regime(const QuietSpeed& answer) {
+  const double loud = answer.split.first_loud.value_or(answer.options.fastest);
+  for (const Regime& regime : answer.regimes) {
+    if (regime.from < loud && !regime.certain) return &regime;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Table step_table(const std::vector<Step>& steps) {
@@ -221,6 +230,12 @@ std::string text_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   std::string text = headline_of(output) + "\n";
   if (!output.is_complete()) text += "Not complete: " + known_part_of(output) + ".\n";
+  if (const Regime* doubtful = doubtful_regime(answer)) {
+    text += fmt::format(
+        "Not certain: from {:.3f} to {:.3f} rad/s borders between regimes may be missed, and turns "
+        "with more collisions.\n",
+        doubtful->from, doubtful->to);
+  }
   if (answer.is_of_the_long_run()) {
     text += fmt::format("In the long run: {}.\n{}", summary_of(answer.regimes),
                         terminal_text_of(shown_regimes(answer.regimes)));
@@ -260,21 +275,23 @@ report::Json json_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
-  Json json = {{"regimes", json_rows_of(regime_table(answer.regimes))},
-               {"fastest_quiet", rounded(answer.fastest_quiet)},
-               {"fastest_quiet_rpm", Json()},
-               {"limit", Json()},
-               {"steps", json_rows_of(step_table(answer.staircase.steps))},
-               {"levels", json_rows_of(level_table(answer.staircase.levels))},
-               {"around", json_rows_of(around_table(answer.around))},
-               {"percent_for_one", moves},
-               {"reason", reason_of(answer)},
-               {"complete", output.is_complete()},
-               {"reached", answer.reached},
-               {"left_out", output.left_out},
-               {"sampled", json_rows_of(sampled_table(output.sampled))},
-               {"with_tolerance", Json()},
-               {"with_uncertainties", Json()}};
+  Json json = {
+      {"regimes", json_rows_of(regime_table(answer.regimes))},
+      {"fastest_quiet", rounded(answer.fastest_quiet)},
+      {"fastest_quiet_rpm", Json()},
+      {"limit", Json()},
+      {"steps", json_rows_of(step_table(answer.staircase.steps))},
+      {"levels", json_rows_of(level_table(answer.staircase.levels))},
+      {"around", json_rows_of(around_table(answer.around))},
+      {"percent_for_one", moves},
+      {"reason", reason_of(answer)},
+      {"complete", output.is_complete()},
+      {"certain", answer.is_of_the_long_run() ? Json(doubtful_regime(answer) == nullptr) : Json()},
+      {"reached", answer.reached},
+      {"left_out", output.left_out},
+      {"sampled", json_rows_of(sampled_table(output.sampled))},
+      {"with_tolerance", Json()},
+      {"with_uncertainties", Json()}};
   if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
   json["release_speed"] = carrier_track::release_speed(output.scene);
   json["start_collisions"] = output.start ? Json(output.start->of_start) : Json();

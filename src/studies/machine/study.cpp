@@ -111,11 +111,12 @@ Scene in_the_long_run(const Scene& scene, const QuietSpeed& found, double omega)
   return scene;
 }
 
-/// One run at a speed, with its counted events, as a part of the page.
+/// One run at a speed, with its counted events, as a part of the page. Throws TimeLimitReached.
 void add_path(const Scene& scene, const QuietSpeed& found, double omega, const char* id,
               const char* speed, Results& results) {
   const Scene there = at_speed(in_the_long_run(scene, found, omega), omega);
   const Recording recording = record(there, 0, 2000);
+  if (!recording.complete) throw TimeLimitReached();
   Results own;
   own.set("what-counts", counted_label(there));
   own.set("count", recording.count);
@@ -154,6 +155,15 @@ Results results_of(const AdviceOptions& options) {
   in_time("variants of the machine", [&] { lines = design_lines(options.scene, found); });
   std::optional<std::string> model;
   in_time("planar model", [&] { model = sentence_of(model_choice(options.scene, found)); });
+  in_time("paths", [&] {
+    if (found.fastest_quiet) {
+      add_path(options.scene, found, *found.fastest_quiet, "quiet", "fastest quiet speed", results);
+    }
+    if (found.split.first_loud) {
+      add_path(options.scene, found, *found.split.first_loud, "loud", "first speed that is louder",
+               results);
+    }
+  });
   results.set("name", options.name);
   results.set("answer", headline_of(answer));
   results.set("missing", answer.is_complete() ? std::nullopt : if_any(known_part_of(answer)));
@@ -184,13 +194,6 @@ Results results_of(const AdviceOptions& options) {
                                                          : "Collisions in the window",
                               {{found.fastest_quiet, "fastest quiet speed"}}));
   if (!wear.empty()) add_wear(wear, found, results);
-  if (found.fastest_quiet) {
-    add_path(options.scene, found, *found.fastest_quiet, "quiet", "fastest quiet speed", results);
-  }
-  if (found.split.first_loud) {
-    add_path(options.scene, found, *found.split.first_loud, "loud", "first speed that is louder",
-             results);
-  }
   std::string text = text_of(answer);
   text.pop_back();  // its last line's end
   results.set("text", text);

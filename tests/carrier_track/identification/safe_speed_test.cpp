@@ -31,5 +31,15 @@ TEST(SafeSpeed, IsMissingWhereEverySpeedIsSafe) {
   EXPECT_FALSE(safe_speed(quiet, 10));
 }
 
+TEST(SafeSpeed, IsMissingWhereNoSpeedIsSafe) {
+  Scene loud = knocking_machine();
+  loud.friction = 0;
+  loud.pull = 0;
+  loud.restitution_lower = loud.restitution_upper = 0.9;
+  loud.counting_limit = 1e-6;
+  EXPECT_GT(per_turn(loud, 0.05), 2);
+  EXPECT_FALSE(safe_speed(loud, 10));
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

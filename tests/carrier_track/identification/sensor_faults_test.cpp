@@ -52,6 +52,16 @@ TEST(SensorFaults, ReboundsAreNoEchoes) {
   }
 }
 
+/// Here the pairs of knocks within the longest delay would take gigabytes.
+TEST(SensorFaults, EchoesAreNotLookedForInARecordThatIsTooDense) {
+  KnockRecord record{{}, {{0, 4}}, 0, 10};
+  for (int k = 0; k < 1'000'000; ++k) record.knocks.push_back({1e-5 * k});
+  take_out_sensor_faults(record);
+  EXPECT_EQ(record.knocks.size(), 1'000'000U);
+  ASSERT_EQ(record.notes.size(), 1U);
+  EXPECT_THAT(record.notes[0], HasSubstr("not looked for"));
+}
+
 TEST(SensorFaults, AtOneSpeedReboundsAreLeftAlone) {
   SensorModel sensor;
   sensor.jitter = 1e-5;

@@ -95,6 +95,32 @@ TEST(Regimes, OfAMirrorImageHaveBordersOfPairs) {
   }
 }
 
+/// Where a carrier is just released it hardly leaves its wall, and no impact counts yet.
+TEST(Regimes, NextToTheReleaseAreSilent) {
+  Scene machine;
+  machine.mass = 0.012;
+  machine.wall_upper = machine.start_position = 0.035;
+  machine.restitution_lower = 0.9;
+  machine.restitution_upper = 0;
+  machine.friction = 0.75;
+  machine.normal_force = 8;
+  machine.pull = -0.01;
+  machine.centrifugal_mass_radius = 0.14;
+  machine.counting_limit = 3e-4;
+  const auto regimes = regimes_of(machine, {6, 6.6});
+  ASSERT_EQ(regimes.size(), 3U);
+  const Regime& next = regimes[1];
+  EXPECT_EQ(regimes[0].ends_by, RegimeEnd::release);
+  EXPECT_TRUE(next.moves);
+  EXPECT_EQ(next.most_per_turn, 0);
+  EXPECT_EQ(next.ends_by, RegimeEnd::counting_limit);
+  EXPECT_LT(next.to / next.from - 1, 1e-4);
+  for (const double omega : {next.from * (1 + 1e-7), next.to * (1 - 1e-7)}) {
+    EXPECT_EQ(collisions_in_the_long_run(machine, omega, 100, 20), 0);
+  }
+  EXPECT_EQ(collisions_in_the_long_run(machine, next.to * (1 + 1e-7), 100, 20), 1);
+}
+
 TEST(Regimes, ThatBeginOrEndAtABorderHaveNoOtherBeforeOrBeyond) {
   const Scene machine = mirror_images()[0];
   const auto whole = regimes_of(machine);

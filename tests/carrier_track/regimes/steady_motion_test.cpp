@@ -113,5 +113,18 @@ TEST(SteadyMotion, RepeatsWithTheDisturbanceWhereThatRepeats) {
   EXPECT_EQ(motion.collisions, 6);
 }
 
+/// An elastic carrier: its impacts in a turn would not fit into memory.
+TEST(SteadyMotion, OfVeryManyImpactsIsAveragedOverAPartOfATurn) {
+  Scene scene;
+  scene.wall_upper = 1e-7;
+  scene.start_position = 0;
+  scene.start_velocity = 1;
+  scene.counting_limit = 1e-3;
+  const SteadyMotion motion = steady_motion(scene);
+  EXPECT_FALSE(motion.settled);
+  EXPECT_NEAR(motion.collisions_per_turn() / (2 * std::numbers::pi * 1e7), 1, 1e-4);
+  EXPECT_NEAR(motion.fastest_impact(), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "problems/carrier_track/counting/count.h"
@@ -427,6 +428,8 @@ std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double 
     }
   } catch (const TimeLimitReached&) {
     // The speeds that had time are returned.
+  } catch (const std::runtime_error&) {
+    // More impacts than a simulation may have: at slower speeds, turns have even more.
   }
   std::reverse(sampled.begin(), sampled.end());
   return sampled;

@@ -115,7 +115,8 @@ inline constexpr int sampled_phases = 24;
 inline constexpr int sampled_turns_each = 20;  ///< after as many to settle
 
 /// Simulates turns of a valid scene with regimes (has_regimes) at speeds [rad/s] with equal ratios,
-/// from `from` to `to`, both included. If a TimeLimit is reached, the slower speeds are missing.
+/// from `from` to `to`, both included. If a TimeLimit is reached, or a simulation has too many
+/// impacts, the slower speeds are missing.
 std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double to);
 
 }  // namespace ricochet::carrier_track::inline regimes

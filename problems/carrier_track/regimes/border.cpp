@@ -104,12 +104,12 @@ Border release(const Bracket& bracket) {
   }
   const double away = bracket.upwards() ? 1 : -1;
   const auto beyond = [&](double by) { return followed(bracket.before, *omega * (1 + by * away)); };
-  Motion after = beyond(just_beyond);
+  SteadyMotion after = beyond(just_beyond);
   // Next to the border the motion may be so slow that no impact counts.
-  for (double by = just_beyond / 8; by > 1e-9 && signature_of(after).most > 0; by /= 8) {
-    Motion nearer = beyond(by);
+  for (double by = just_beyond / 8; by > 1e-9 && signature_of(after).collisions > 0; by /= 8) {
+    SteadyMotion nearer = beyond(by);
     const Signature there = signature_of(nearer);
-    if (there.settled && there.moves && there.most == 0) after = std::move(nearer);
+    if (there.settled && there.moves && there.collisions == 0) after = std::move(nearer);
   }
   return {*omega, RegimeEnd::release, beyond(-1e-12), after};
 }

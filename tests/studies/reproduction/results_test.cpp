@@ -31,13 +31,6 @@ const Results& tiny_results() {
   return results;
 }
 
-/// The cases of that study.
-const std::vector<CaseStudy>& tiny_cases() {
-  static const std::vector<CaseStudy> cases =
-      study_cases(default_interpretation().scene, tiny_plan.scan);
-  return cases;
-}
-
 /// The data as they are read back from the file, with what every study adds.
 Json kept_data() {
   Json data = {{"report", "reproduction"},
@@ -139,14 +132,15 @@ TEST(ReproductionResults, HaveAPictureOfEveryFigure) {
   EXPECT_EQ(charts["c11"], 1U) << "the paper has no figure";
   const Chart& count = *parts[0].results.chart("count");
   EXPECT_EQ(count.lines.size(), 3U);
-  const SpeedScan& scan = tiny_cases()[0].scan;
+  const Scene scene = scene_of(find_case("C1"), default_interpretation().scene);
+  const SpeedScan scan = scan_speeds(scene, tiny_plan.scan.step, tiny_plan.scan.highest);
   for (const report::Sample& sample : count.series[0].samples) {
     const auto k = static_cast<std::size_t>(std::lround(sample.position / scan.step)) - 1;
     EXPECT_EQ(sample.value, scan.counts.at(k)) << sample.position;
   }
   const Chart& quiet = *parts[0].results.chart("quiet");
   EXPECT_EQ(quiet.series[1].samples.size(),
-            static_cast<std::size_t>(tiny_cases()[0].score.examples[0].count));
+            static_cast<std::size_t>(count_at(scene, find_case("C1").claim.figure->quiet)));
   EXPECT_THAT(quiet.title, HasSubstr("5 impacts count, 2 of the start"));
 }
 

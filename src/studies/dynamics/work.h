@@ -31,6 +31,28 @@ carrier_track::Scene benchmark_scene(const std::string& id, double seconds);
 /// every impact's own speed; about seven impacts.
 carrier_track::Scene stiff_gap(double stiffness);
 
+/// The errors of an outcome relative to a reference for the same scene.
+///
+/// An impact is fast if the scene counts it: its speed is above `counting_limit`. Fast impacts are
+/// matched in order: the next two of both lists are partners if they are on the same wall and no
+/// further apart than half the mean time between the reference's fast impacts; otherwise the
+/// earlier one has no partner. A partner needs only half that speed, so that an impact just above
+/// the limit still has one that is slightly slower.
+struct Accuracy {
+  int missed = 0;    ///< fast impacts of the reference without a partner
+  int spurious = 0;  ///< fast impacts of the outcome without a partner
+  int matched = 0;   ///< pairs before the paths diverge, at the first impact counted above
+  /// Largest difference of the times of those pairs [s]; empty without a pair.
+  std::optional<double> impact_time_error;
+  int count_difference = 0;       ///< fast impacts of the outcome minus those of the reference
+  double end_position_error = 0;  ///< [m], at the end of the window
+};
+
+/// `outcome` and `reference` are finished runs of the valid `scene`. The rule `impacts` is applied
+/// whatever the scene's rule: outcomes contain no peaks.
+Accuracy compare(const carrier_track::Scene& scene, const carrier_track::Outcome& outcome,
+                 const carrier_track::Outcome& reference);
+
 /// The integrators of hard walls, and those that go through the contacts of compliant walls.
 std::vector<carrier_track::Integrator> between_hard_walls();
 std::vector<carrier_track::Integrator> through_walls();
@@ -44,7 +66,7 @@ struct Trial {
   double seconds;  ///< [s] of processor time per run
   std::int64_t force_evaluations;
   bool finished;
-  carrier_track::Accuracy accuracy;  ///< of a finished run
+  Accuracy accuracy;  ///< of a finished run
   /// [s] of impact times, or in a chaotic scene the relative error of the mean rate; nothing if the
   /// run failed: not finished, impacts missed or spurious, or none to compare.
   std::optional<double> error;

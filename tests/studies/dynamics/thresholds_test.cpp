@@ -20,8 +20,9 @@ ThresholdStudy study_with_stand_ins() {
     return outcome;
   };
   const auto endless = [](const Scene&, double) { return Outcome{}; };
-  const std::vector<Integrator> stand_ins = {{"silent", "0", "relative tolerance", silent},
-                                             {"endless", "0", "step [s]", endless}};
+  const std::vector<Integrator> stand_ins = {
+      {"silent", "0", "", "", carrier_track::by_tolerance, {}, true, silent},
+      {"endless", "0", "", "", carrier_track::by_step, {}, true, endless}};
   return study_thresholds({{"C1", "C2"}, 0.5, 9, {}, {1e-3, 1e-6}, {1e-4}}, stand_ins);
 }
 

@@ -25,7 +25,7 @@ void add_shape_benchmarks();
 void add_simulation_benchmarks();
 
 /// Registers the measurements of all event-locating integrators on the same scenes with Google
-/// Benchmark, so that one run gives their ratios.
+/// Benchmark, each beside a scan in lanes.
 void add_integrator_benchmarks();
 
 /// Registers the measurements of many simulations in lanes relative to as many single ones, and of

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -253,22 +252,19 @@ OracleRun oracle_run(const Scene& scene, const Push& push) {
   return Body(scene, push).run();
 }
 
-std::vector<Impact> faster(const std::vector<Impact>& impacts, double counting_limit) {
-  std::vector<Impact> result;
-  std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(result),
-               [counting_limit](const Impact& impact) { return impact.speed > counting_limit; });
-  return result;
-}
-
-std::vector<Peak> counted(const std::vector<Peak>& maxima, const Scene& scene) {
-  std::vector<Peak> result;
-  std::copy_if(maxima.begin(), maxima.end(), std::back_inserter(result), [&](const Peak& peak) {
-    return peak.position > scene.peak_high || peak.position < scene.peak_low;
-  });
-  return result;
-}
-
 namespace {
+
+std::vector<Impact> counted(std::vector<Impact> impacts, const Scene& scene) {
+  std::erase_if(impacts, [&](const Impact& i) { return !(i.speed > scene.counting_limit); });
+  return impacts;
+}
+
+std::vector<Peak> counted(std::vector<Peak> maxima, const Scene& scene) {
+  std::erase_if(maxima, [&](const Peak& peak) {
+    return !(peak.position > scene.peak_high || peak.position < scene.peak_low);
+  });
+  return maxima;
+}
 
 /// Pairs the impacts of both lists.
 void match(const std::vector<Impact>& found, const std::vector<Impact>& true_ones,
@@ -306,8 +302,7 @@ Comparison compare(const Scene& scene) {
   result.true_values = true_values.count;
   result.endless = true_values.endless;
   if (scene.rule == CountRule::impacts) {
-    match(faster(recording.impacts, scene.counting_limit),
-          faster(true_values.impacts, scene.counting_limit), result);
+    match(counted(recording.impacts, scene), counted(true_values.impacts, scene), result);
   } else {
     match(counted(recording.peaks, scene), counted(true_values.maxima, scene), result);
   }

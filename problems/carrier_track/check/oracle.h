@@ -61,10 +61,4 @@ struct Comparison {
 /// if they are on the same wall.
 Comparison compare(const Scene& scene);
 
-/// The impacts of a list that are faster than `counting_limit` [m/s].
-std::vector<Impact> faster(const std::vector<Impact>& impacts, double counting_limit);
-
-/// The maxima of a list that count under the scene's rule of peaks.
-std::vector<Peak> counted(const std::vector<Peak>& maxima, const Scene& scene);
-
 }  // namespace ricochet::carrier_track::inline oracle

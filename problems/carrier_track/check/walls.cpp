@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "problems/carrier_track/motion/impact_model.h"
@@ -201,7 +202,7 @@ class MotionThroughWalls {
   Outcome run(std::int64_t most) {
     try {
       for (std::int64_t steps = 1; time_ < system_.window; ++steps) {
-        if (steps > most) throw std::runtime_error("more than 1000000 steps");
+        if (steps > most) throw std::runtime_error("more than " + std::to_string(most) + " steps");
         advance();
       }
     } catch (const std::runtime_error& error) {
@@ -320,7 +321,7 @@ Outcome through_springs(const Scene& scene, const MakeMethod& make, double depth
   wall.viscous = wall.pulls = true;
   wall.lower_damping = 2 * frequency * damping_of(lower_restitution(scene));
   wall.upper_damping = 2 * frequency * damping_of(upper_restitution(scene));
-  return MotionThroughWalls(scene, system, gap, make, depth * depth).run(most_steps);
+  return MotionThroughWalls(scene, system, gap, make, depth * depth).run(10 * most_steps);
 }
 
 bool compliant(const Scene& scene) {

@@ -56,20 +56,6 @@ TEST(Comparison, AgreesOnEveryCaseToTheLastDigits) {
   }
 }
 
-TEST(Comparison, PairsFastImpactsAlone) {
-  const std::vector<Impact> impacts = {{0, Wall::lower, 1}, {1, Wall::upper, 0.5}};
-  EXPECT_EQ(faster(impacts, 0.7).size(), 1U);
-  EXPECT_EQ(faster(impacts, 0.5).size(), 1U);
-  EXPECT_EQ(faster(impacts, 0.1).size(), 2U);
-}
-
-TEST(Comparison, LooksAtMaximaThatCountAlone) {
-  Scene scene;
-  scene.peak_high = 3;
-  scene.peak_low = 1;
-  EXPECT_EQ(counted({{0, 4}, {1, 3}, {2, 2}, {3, 0.5}}, scene).size(), 2U);
-}
-
 TEST(Comparison, CallsCountsThatRoundingDecidesUncertain) {
   // Confirmed with 113 bits. The first five have an impact within rounding of `slowest`, and a
   // restitution of 1 or 0. The last is chaotic: a changed scene may have the same count by chance.

@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
+#include "tests/carrier_track/check/reference_integrators/accuracy.h"
 
-#include "problems/carrier_track/check/integrator.h"
-#include "ricochet/machine.h"
+#include <gtest/gtest.h>
 
 namespace ricochet::carrier_track {
 namespace {

@@ -6,6 +6,7 @@
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "ricochet/machine.h"
+#include "tests/carrier_track/check/reference_integrators/accuracy.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "problems/carrier_track/check/integrator.h"
+#include "tests/carrier_track/check/reference_integrators/accuracy.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

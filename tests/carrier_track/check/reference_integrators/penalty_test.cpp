@@ -5,6 +5,7 @@
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/machine.h"
+#include "tests/carrier_track/check/reference_integrators/accuracy.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

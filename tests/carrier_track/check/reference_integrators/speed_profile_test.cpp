@@ -7,6 +7,7 @@
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "ricochet/machine.h"
+#include "tests/carrier_track/check/reference_integrators/accuracy.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

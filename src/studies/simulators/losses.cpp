@@ -338,17 +338,21 @@ Chart kinds_chart(const std::vector<const Measured*>& shown, const Table& kinds)
   return chart;
 }
 
+std::string losses_in_words(const Measured& measured) {
+  const double wrong = measured.tally.wrong().value_or(0);
+  return wrong < 1000 ? fmt::format("{:.3g}", wrong) : fmt::format("{:.0f}", wrong);
+}
+
 /// Losses over the time of an impact: the levels of each simulator are joined, and the shown level
 /// has its name.
 Chart speed_accuracy_chart(const Results& results, const std::vector<const Measured*>& shown) {
-  double most = 0;
-  for (const Measured* m : shown) most = std::max(most, m->tally.wrong().value_or(0));
+  const Measured& most = **std::ranges::max_element(
+      shown, {}, [](const Measured* m) { return m->tally.wrong().value_or(0); });
   const double least = 500.0 / std::max(results.impacts, 1);  // half an impact of all, per 1,000
   Chart chart{
       .name = "speed-accuracy",
-      .title = fmt::format("Of 1,000 impacts ricochet loses {:.3g}, the other simulators up "
-                           "to {:.4g}",
-                           shown.front()->tally.wrong().value_or(0), most),
+      .title = fmt::format("Of 1,000 impacts ricochet loses {}, the other simulators up to {}",
+                           losses_in_words(*shown.front()), losses_in_words(most)),
       .x = {"time per impact [s]", Scale::logarithmic},
       .y = {"impacts missed or invented, per 1,000", Scale::logarithmic},
       .lines = {{report::Direction::horizontal, least, "none"}},
@@ -377,9 +381,9 @@ Chart speed_accuracy_chart(const Results& results, const std::vector<const Measu
 
 std::string finding_of(const Results& results, const std::vector<const Measured*>& shown) {
   const Tally& own = shown.front()->tally;
-  std::string text =
-      fmt::format("Of {} impacts, ricochet loses {:.3g} per 1,000, and takes {:.2g} µs per impact.",
-                  results.impacts, own.wrong().value_or(0), microseconds_of(own).value_or(0));
+  std::string text = fmt::format(
+      "Of {} impacts, ricochet loses {} per 1,000, and takes {:.2g} µs per impact.",
+      results.impacts, losses_in_words(*shown.front()), microseconds_of(own).value_or(0));
   std::vector<const Measured*> rivals;
   std::ranges::copy_if(shown, std::back_inserter(rivals),
                        [](const Measured* m) { return is_rival(*m) && m->tally.wrong(); });
@@ -387,7 +391,7 @@ std::string finding_of(const Results& results, const std::vector<const Measured*
   const auto clean =
       std::ranges::count_if(rivals, [](const Measured* m) { return m->tally.wrong() == 0; });
   const auto told = [](const Measured* m) {
-    return fmt::format("{}, {:.4g}", m->tool.name, *m->tally.wrong());
+    return fmt::format("{}, {}", m->tool.name, losses_in_words(*m));
   };
   return text + fmt::format(
                     " Of {} other methods and tools, {} lose none and {} lose some: the best, {} "

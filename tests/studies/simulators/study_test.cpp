@@ -129,7 +129,7 @@ TEST(StiffWalls, GiveEnergyFromAboutTheBoundOfLinearTheory) {
       EXPECT_THAT(method.number("lowest_bad"), AllOf(Ge(0.5 * *bound), Le(2 * *bound)));
       ++fixed;
     } else {
-      EXPECT_EQ(method.number("energetic"), 0) << method.text("method");
+      EXPECT_LE(method.number("energetic"), 0.02 * method.number("runs")) << method.text("method");
       EXPECT_LE(method.number("wrong"), 0.1 * method.number("runs")) << method.text("method");
       ++adaptive;
     }

@@ -84,11 +84,12 @@ std::vector<DisturbedTurn> last_turns(const Scene& scene, std::span<const SpeedA
 }
 
 constexpr std::size_t even_phases = 16;
+constexpr std::size_t even_phases_before = 48;  // where turns before have to erase the start
 /// Numbers of turns whose rests erase the start, if it is not where turns start.
 constexpr int erasing_turns[] = {2, 8, 32};
 constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
 constexpr double same_margin = 1e-9;  // of turns that are the same
-constexpr std::size_t most_phases = 4000;
+constexpr std::size_t most_phases = 2000;
 constexpr double narrowest_gap = 1e-4;  // [rad]
 constexpr double slow = -1.5;           // margins that are lower are alike
 constexpr double near_limit = 1e-5;     // margins nearer to 0 are as near as this
@@ -136,20 +137,23 @@ class Settling {
     // Other phases at other speeds: turns that few phases have are met at one of them.
     const double shift = 20.6 * std::log(machine_.omega);
     std::vector<double> even;
-    for (std::size_t k = 0; k < even_phases; ++k) {
-      even.push_back((static_cast<double>(k) + shift - std::floor(shift)) / even_phases * circle);
+    const std::size_t count = before == 0 ? even_phases : even_phases_before;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double place = static_cast<double>(k) + shift - std::floor(shift);
+      even.push_back(place / static_cast<double>(count) * circle);
     }
     // Half of them may tell that they do not.
     const std::span<const double> all = even;
-    if (!forgets(all.first(even_phases / 2)) || !forgets(all.last(even_phases / 2))) return false;
-    if (!take(also)) return false;
+    if (!forgets(all.first(count / 2)) || !forgets(all.last(count / 2)) || !forgets(also)) {
+      return false;
+    }
     for (;;) {
       sort();
       const std::vector<double> middles = middles_of_gaps();
       if (middles.empty()) return true;
       motion_.resolved = motion_.turns.size() + middles.size() <= most_phases;
       if (!motion_.resolved) return true;
-      if (!take(middles)) return false;
+      if (!forgets(middles)) return false;
     }
   }
 
@@ -221,8 +225,9 @@ class Settling {
       const auto &a = turn(k - 1), &b = turn(k), &c = turn(k + 1), &d = turn(k + 2);
       const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
                                    bend_between(d, c, b, ratio(gap_after(k + 1))));
-      const bool jumps = std::abs(b.collisions - c.collisions) > 1 ||
-                         std::abs(b.end_position - c.end_position) > apart;
+      const bool may_not_return =
+          motion_.turns_before == 0 && std::abs(b.collisions - c.collisions) > 1;
+      const bool jumps = may_not_return || std::abs(b.end_position - c.end_position) > apart;
       if (jumps || bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
     }
     return middles;

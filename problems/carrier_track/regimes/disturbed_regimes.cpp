@@ -341,6 +341,7 @@ std::vector<Regime> disturbed_regimes(const Scene& scene, const RegimeOptions& o
   // Steps of the logarithm of the speed.
   constexpr double first_step = 1e-3;  // where another kind of motion begins
   constexpr double longest_step = 0.03;
+  constexpr double longest_mixed_step = 0.01;
   constexpr double irregular_step = 0.02;  // where the motion does not settle
   std::vector<Regime> found;
   std::optional<Stretch> stretch;
@@ -358,7 +359,8 @@ std::vector<Regime> disturbed_regimes(const Scene& scene, const RegimeOptions& o
       double omega = here.omega() * std::exp(length);
       if (omega > options.to * (1 - 1e-6)) omega = options.to;
       DisturbedMotion next = disturbed_motion(at_speed(here.machine, omega), extreme_phases(here));
-      step = std::min(2 * step, longest_step);
+      // Where phases count differently, turns that few have come and go.
+      step = std::min(2 * step, next.least == next.most ? longest_step : longest_mixed_step);
       if (same_kind(here, next)) {
         stretch->take(std::move(next));
         continue;

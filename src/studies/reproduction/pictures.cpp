@@ -12,6 +12,7 @@
 #include "ricochet/machine.h"
 #include "src/report/painted.h"
 #include "src/studies/machine/charts.h"
+#include "src/studies/paper/theory.h"
 #include "src/studies/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
@@ -119,10 +120,50 @@ report::Part part_of(const CaseStudy& c) {
   return {id, heading, std::move(own)};
 }
 
+constexpr double degree = std::numbers::pi / 180;
+constexpr double radius = 0.065;      // [m], the paper's radius of the spindle's path
+constexpr double shown_speed = 9.0;   // [rad/s], the paper's threshold of case C1
+constexpr double half_crossing = 45;  // [degrees]; not in the paper
+constexpr double arc = 60;            // [degrees] shown on either side
+
+/// `turned` [degrees] from where the crossing begins.
+TheoreticalMotion motion_at(double turned) {
+  if (turned < 0 || turned > 2 * half_crossing) return on_arc(radius, shown_speed);
+  const double angle = turned <= half_crossing ? turned : turned - 2 * half_crossing;
+  return on_crossing(radius, shown_speed, angle * degree);
+}
+
+/// One of the two charts of Figure 3.
+Chart crossing_chart(const char* name, const char* label, const char* title,
+                     double TheoreticalMotion::*what) {
+  report::Series motion{"", Mark::line, {}};
+  double most = 0;
+  for (double turned = -arc; turned <= 2 * half_crossing + arc; turned += 0.5) {
+    const double value = motion_at(turned).*what;
+    motion.samples.push_back({turned, value});
+    most = std::max(most, value);
+  }
+  const double gain = most / (on_arc(radius, shown_speed).*what);
+  return {.name = name,
+          .title = fmt::format(fmt::runtime(title), gain),
+          .x = {.label = "driver plates [degrees turned since the crossing began]"},
+          .y = {.label = label, .range = report::Range{0, 1.1 * most}},
+          .series = {std::move(motion)},
+          .lines = {{Direction::vertical, 0, "crossing"},
+                    {Direction::vertical, 2 * half_crossing, "crossing"}}};
+}
+
 }  // namespace
 
 void add_pictures(const std::vector<CaseStudy>& cases, report::Results& results) {
   for (const CaseStudy& c : cases) results.add("cases", part_of(c));
+  results.add(crossing_chart("crossing-speed", "speed [m/s]",
+                             "At a crossing the carrier is up to {:.2g} times as fast as on an arc",
+                             &TheoreticalMotion::speed));
+  results.add(crossing_chart(
+      "crossing-acceleration", "acceleration [m/s²]",
+      "At a crossing the carrier accelerates up to {:.2g} times as much as on an arc",
+      &TheoreticalMotion::acceleration));
 }
 
 namespace {

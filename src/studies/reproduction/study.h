@@ -123,6 +123,7 @@ void add_interpretation(const carrier_track::FittedInterpretation& interpretatio
                         report::Results& results);
 
 /// A part for each case: its counts over the speed, and x(t) at the speeds of the paper's figures.
+/// The speed and the acceleration of a crossing (Figure 3).
 void add_pictures(const std::vector<CaseStudy>& cases, report::Results& results);
 
 /// The regimes over the restitution of the cases without disturbance, by rising friction.

@@ -20,4 +20,10 @@ struct BruteForce {
 };
 BruteForce brute_force(const Scene& scene, double step);
 
+/// The impacts that are faster than a speed [m/s].
+inline std::vector<Impact> faster(std::vector<Impact> impacts, double speed) {
+  std::erase_if(impacts, [&](const Impact& impact) { return !(impact.speed > speed); });
+  return impacts;
+}
+
 }  // namespace ricochet::carrier_track

@@ -7,30 +7,12 @@
 
 namespace ricochet::carrier_track::inline identification {
 
-namespace {
-
-/// Limits of within_limits().
-Vector lowest() {
-  Vector x(knock_unknowns);
-  x << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7, -12,
-      -0.1, -1e-3;
-  return x;
-}
-
-Vector highest() {
-  Vector x(knock_unknowns);
-  x << 4, std::log(0.999), std::log(1.0), 100, 0.2, 0, 10, 10, 20, 40, 1, 10, 0.1, 1e-3;
-  return x;
-}
-
-}  // namespace
-
 Vector within_limits(const Vector& x) {
-  return x.cwiseMax(lowest()).cwiseMin(highest());
-}
-
-Vector KnockCoordinates::at(const Vector& z) const {
-  return within_limits(centre + directions * z);
+  Vector lowest(knock_unknowns), highest(knock_unknowns);
+  lowest << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7,
+      -12, -0.1, -1e-3;
+  highest << 4, std::log(0.999), std::log(1.0), 100, 0.2, 0, 10, 10, 20, 40, 1, 10, 0.1, 1e-3;
+  return x.cwiseMax(lowest).cwiseMin(highest);
 }
 
 KnockCoordinates knock_coordinates(const KnockLoss& loss, const Vector& centre, double blur,

@@ -8,8 +8,8 @@
 
 namespace ricochet::carrier_track::inline identification {
 
-/// The point of the unknowns that is nearest to x within the limits of a search. Beyond them there
-/// is no machine, or a simulation takes very long: restitution is at most 0.982.
+/// The nearest point to x within the limits of a search: beyond them there is no machine, or a
+/// simulation takes very long. Restitution is at most 0.982.
 Vector within_limits(const Vector& x);
 
 /// Coordinates z of the unknowns that are fitted, in which a step of 1 in any direction is one
@@ -19,7 +19,7 @@ struct KnockCoordinates {
   Matrix directions;  ///< knock_unknowns x n
 
   /// The point of the unknowns at z (length n), within_limits().
-  Vector at(const Vector& z) const;
+  Vector at(const Vector& z) const { return within_limits(centre + directions * z); }
 };
 
 /// The coordinates of these unknowns, by their indices; the others keep their values of `centre`.

@@ -87,7 +87,7 @@ void check_identifiable(const Scene& scene, const std::string& origin);
 
 /// The fastest speed [rad/s] up to which a machine has at most quiet_per_turn collisions a turn in
 /// the long run, from rest on the lower wall; nothing if every speed up to `fastest` [rad/s] has,
-/// or if not even a 200th of it has. The scene's start and speed are not used.
+/// or not even its 200th. The scene's start and speed are not used.
 std::optional<double> safe_speed(const Scene& scene, double fastest = 18);
 
 /// Finds what a sensor does beside recording each impact once, and says so in the record's notes.

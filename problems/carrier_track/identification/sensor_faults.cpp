@@ -21,7 +21,7 @@ constexpr double fewest_followed = 0.45;  // of the knocks that are no echoes
 constexpr double same_ratio = 0.35;       // of logarithms of the ratio of strengths
 constexpr double steady = 1.05;           // highest over lowest speed, at most
 constexpr int most_echoes = 5;
-constexpr std::size_t most_pairs = 2'000'000;  // within the longest delay, that are looked at
+constexpr std::size_t most_pairs = 2'000'000;  // of denser records no echo is looked for
 
 void merge_duplicates(KnockRecord& record) {
   std::vector<Knock> merged;
@@ -54,6 +54,7 @@ std::vector<Pair> pairs_of(const std::vector<Knock>& knocks) {
       const double ratio =
           knocks[i].strength ? std::log(*knocks[j].strength / *knocks[i].strength) : 0;
       pairs.push_back({delay, ratio, j});
+      if (pairs.size() > most_pairs) return {};
     }
   }
   std::ranges::sort(pairs, {}, &Pair::delay);
@@ -71,13 +72,13 @@ std::vector<Pair> echo_among(const std::vector<Pair>& pairs, const KnockRecord& 
   const auto from = [&](double delay) {
     return std::ranges::lower_bound(pairs, delay, {}, &Pair::delay);
   };
-  if (pairs.empty()) return {};
   auto peak = std::pair(pairs.begin(), pairs.begin());
   for (auto first = pairs.begin(); first != pairs.end(); ++first) {
     const auto last = from(first->delay + window);
     if (last - first > peak.second - peak.first) peak = {first, last};
   }
   std::vector<Pair> most(peak.first, peak.second);
+  if (most.empty()) return {};
   const double ratio = median(most, &Pair::ratio);
   const auto is_alike = [&](const Pair& p) { return std::abs(p.ratio - ratio) <= same_ratio; };
   const double begin = std::ranges::min(most, {}, &Pair::delay).delay;
@@ -100,16 +101,6 @@ std::vector<Pair> echo_among(const std::vector<Pair>& pairs, const KnockRecord& 
   most.clear();
   std::copy_if(from(delay - spread), from(delay + spread), std::back_inserter(most), is_alike);
   return most;
-}
-
-/// Returns true if there are more pairs than pairs_of() should return.
-bool is_dense(const std::vector<Knock>& knocks) {
-  std::size_t pairs = 0, first = 0;
-  for (std::size_t last = 0; last < knocks.size() && pairs <= most_pairs; ++last) {
-    while (knocks[last].time - knocks[first].time > longest_delay) ++first;
-    pairs += last - first;
-  }
-  return pairs > most_pairs;
 }
 
 /// Returns true if pairs are an echo's, not rebounds: most knocks have it, whatever they are, and
@@ -177,12 +168,7 @@ void find_saturation(KnockRecord& record) {
 
 void take_out_sensor_faults(KnockRecord& record) {
   merge_duplicates(record);
-  const bool dense = is_dense(record.knocks);
-  if (dense) {
-    record.notes.push_back(
-        "The knocks follow each other so closely that echoes of the sensor are not looked for.");
-  }
-  for (int k = 0; !dense && k < most_echoes && take_out_echo(record); ++k) {
+  for (int k = 0; k < most_echoes && take_out_echo(record); ++k) {
   }
   find_saturation(record);
   // The most likely dead time is the longest that no interval contradicts.

@@ -58,8 +58,7 @@ TEST(SensorFaults, EchoesAreNotLookedForInARecordThatIsTooDense) {
   for (int k = 0; k < 1'000'000; ++k) record.knocks.push_back({1e-5 * k});
   take_out_sensor_faults(record);
   EXPECT_EQ(record.knocks.size(), 1'000'000U);
-  ASSERT_EQ(record.notes.size(), 1U);
-  EXPECT_THAT(record.notes[0], HasSubstr("not looked for"));
+  EXPECT_TRUE(record.notes.empty());
 }
 
 TEST(SensorFaults, AtOneSpeedReboundsAreLeftAlone) {

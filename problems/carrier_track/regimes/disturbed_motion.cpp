@@ -83,8 +83,8 @@ std::vector<DisturbedTurn> last_turns(const Scene& scene, std::span<const SpeedA
   return turns;
 }
 
-constexpr std::size_t even_phases = 16;
-constexpr std::size_t even_phases_before = 48;  // where turns before have to erase the start
+constexpr std::size_t even_phases = 64;
+constexpr std::size_t even_phases_before = 128;  // where turns before have to erase the start
 /// Numbers of turns whose rests erase the start, if it is not where turns start.
 constexpr int erasing_turns[] = {2, 8, 32};
 constexpr double same_end = 1e-6;     // of the clearance and of the counting limit

@@ -202,7 +202,7 @@ TEST(StatedNumbers, OfThePagesAboutRegimesAreThoseOfThePapersCases) {
       "gradual climb in 6 of 6 cases");
   Prose map =
       part_of("docs/threshold-and-regimes.md", "That is the machine of the paper's cases C1 and C2",
-              "The regimes are solved at");
+              "The map has");
   map.states(fmt::format("{} against {:.2f} rad/s at restitution 0.1, and {} against {:.2f} at 0.9",
                          cases.speed("C1", "paper_threshold"), cases.speed("C1", "quiet_up_to"),
                          cases.speed("C2", "paper_threshold"), cases.speed("C2", "quiet_up_to")));
@@ -220,6 +220,9 @@ TEST(StatedNumbers, LimitAndRestitutionMoveThePapersCasesAlike) {
     const double limit = cases.exponent("counting limit", id);
     EXPECT_NEAR(limit + cases.exponent("restitution", id), 0, 0.03) << id;
     EXPECT_GT(limit, 0.3) << id;
+    EXPECT_LT(cases.exponent("restitution", id), 0) << id;
+    EXPECT_LT(cases.exponent("clearance", id), 0) << id;
+    EXPECT_GT(cases.exponent("friction", id), 0) << id;
     EXPECT_GT(limit, std::abs(cases.exponent("clearance", id))) << id;
   }
   EXPECT_GT(3.6, cases.speed("C10", "threshold")) << "Figure 13 with restitution 0.9";

@@ -27,7 +27,15 @@ using testing::Not;
 const StudyPlan tiny_plan{{0.1, 1, 18.0}, 6.0, true};
 
 const Results& tiny_results() {
-  static const Results results = results_of(tiny_plan);
+  static const Results results = [] {
+    const std::filesystem::path store =
+        std::filesystem::path(testing::TempDir()) / "ricochet_reproduction_solvers.sqlite";
+    std::filesystem::remove(store);
+    Results all = results_of(tiny_plan);
+    add_solvers(true, store, {}, all);
+    std::filesystem::remove(store);
+    return all;
+  }();
   return results;
 }
 
@@ -55,6 +63,22 @@ std::map<std::string, std::string> files_of(const std::filesystem::path& folder)
     files[entry.path().filename().string()] = {std::istreambuf_iterator<char>(stream), {}};
   }
   return files;
+}
+
+TEST(ReproductionResults, CompareThePapersSolverWithOthers) {
+  const Table& solvers = *tiny_results().table("solvers");
+  for (const char* family : {"top-speed", "profile-count"}) {
+    for (const char* solver : {"fireworks", "random-search"}) {
+      const auto row = solvers.find(
+          [&](const Row& r) { return r.text("family") == family && r.text("solver") == solver; });
+      ASSERT_TRUE(row) << family << ", " << solver;
+      EXPECT_GE(row->number("share"), row->number("lower"));
+      EXPECT_LE(row->number("share"), row->number("upper"));
+    }
+  }
+  EXPECT_EQ(*tiny_results().value("problems"), value_of(3));
+  EXPECT_THAT(text_of(*tiny_results().value("libraries")), HasSubstr("NLopt"));
+  EXPECT_NE(tiny_results().chart("runtimes"), nullptr);
 }
 
 /// Silence ends where the centrifugal force beats friction, a little later with a counting limit.

@@ -88,6 +88,7 @@ class Stretch {
   static constexpr double lowest = -1.5;              // margins that are lower are alike
   static constexpr double beside = 3e-9;              // relative, where a border is looked at
   static constexpr double grazing_resolution = 1e-8;  // relative, as border_resolution
+  static constexpr double look_ahead = 1e-3;          // relative
   static constexpr int most_tips = 8;                 // that are tried, of other phases
 
   bool solves() const { return samples_[0].moves && samples_[0].settled; }
@@ -203,12 +204,30 @@ class Stretch {
       in = std::move(end);
       if (!goes_on || std::abs(tip.omega - last) <= 3 * beside * last) break;
     }
-    LongRun at = long_run_of(in);
+    add_change(tip, extreme, rank, outside < inside, in);
+    if (outside < inside) return true;
+    // Such turns may begin again next to where they end.
+    const DisturbedMotion again = motion_at(tip.omega * (1 + look_ahead), {tip.phase});
+    if (again.omega() >= out.omega() || !same_kind(again, in)) return true;
+    if (!has_beyond(again, rank, extreme) || has_beyond(in, rank, extreme)) return true;
+    const PhaseTip begin = phase_tip(again, in, rank, extreme);
+    const PhaseTip end = phase_tip(again, out, rank, extreme);
+    if (!begin.is_reached || !end.is_reached) {
+      out.resolved = false;
+      return true;
+    }
+    add_change(begin, extreme, rank, true, again);
+    add_change(end, extreme, rank, false, again);
+    return true;
+  }
+
+  void add_change(const PhaseTip& tip, Extreme extreme, int rank, bool begins,
+                  const DisturbedMotion& beside_it) {
+    LongRun at = long_run_of(beside_it);
     at.orbit = at_speed(at.orbit, tip.omega);
-    changes_.push_back({tip.omega, extreme, rank, outside < inside,
+    changes_.push_back({tip.omega, extreme, rank, begins,
                         tip.is_smooth ? RegimeEnd::counting_limit : RegimeEnd::grazing,
                         std::move(at)});
-    return true;
   }
 
   Regime regime_from(double from, const LongRun& first) const {

@@ -413,9 +413,10 @@ SampledTurns sampled_at(const Scene& machine, double omega) {
   SampledTurns result{omega, 0, 0};
   const auto turns = observed_turns(scene, phases, sampled_turns_each, sampled_turns_each);
   for (const ObservedTurn& turn : turns) {
-    result.mean_per_turn += turn.collisions / static_cast<double>(turns.size());
+    result.mean_per_turn += turn.collisions;
     result.most_per_turn = std::max(result.most_per_turn, turn.collisions);
   }
+  result.mean_per_turn /= static_cast<double>(turns.size());
   return result;
 }
 

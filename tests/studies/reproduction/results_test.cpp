@@ -26,16 +26,18 @@ using testing::Not;
 /// The whole study at the coarsest: a second or two.
 const StudyPlan tiny_plan{{0.1, 1, 18.0}, 6.0, true};
 
+Results computed() {
+  const std::filesystem::path store =
+      std::filesystem::path(testing::TempDir()) / "ricochet_reproduction_solvers.sqlite";
+  std::filesystem::remove(store);
+  Results results = results_of(tiny_plan);
+  add_solvers(true, store, {}, results);
+  std::filesystem::remove(store);
+  return results;
+}
+
 const Results& tiny_results() {
-  static const Results results = [] {
-    const std::filesystem::path store =
-        std::filesystem::path(testing::TempDir()) / "ricochet_reproduction_solvers.sqlite";
-    std::filesystem::remove(store);
-    Results all = results_of(tiny_plan);
-    add_solvers(true, store, {}, all);
-    std::filesystem::remove(store);
-    return all;
-  }();
+  static const Results results = computed();
   return results;
 }
 
@@ -206,7 +208,7 @@ TEST(ReproductionResults, AllHaveAReaderAndCanBeDrawn) {
 
 TEST(ReproductionResults, AreTheSameOnAnyNumberOfThreads) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(json_of(results_of(tiny_plan)), json_of(tiny_results()));
+  EXPECT_EQ(json_of(computed()), json_of(tiny_results()));
 }
 
 TEST(ReproductionResults, AreEnoughToDrawThePageAgain) {

@@ -17,8 +17,8 @@ using testing::Not;
 TEST(Main, NamesEveryCommandInItsHelp) {
   const Outcome help = call("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command :
-       {"reproduce", "simulators", "simulate", "threshold", "machine", "scene", "evaluate", "list"}) {
+  for (const char* command : {"reproduce", "simulators", "simulate", "threshold", "machine",
+                              "scene", "evaluate", "list"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_EQ(call(std::string(command) + " --help").exit_code, 0) << command;
   }

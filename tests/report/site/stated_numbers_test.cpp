@@ -200,9 +200,8 @@ TEST(StatedNumbers, OfThePagesAboutRegimesAreThoseOfThePapersCases) {
   why.states(
       "At restitution 0.1 the increase is a step in 5 of 6 cases of the paper; at 0.9 it is a "
       "gradual climb in 6 of 6 cases");
-  Prose map =
-      part_of("docs/threshold-and-regimes.md", "That is the machine of the paper's cases C1 and C2",
-              "The map has");
+  Prose map = part_of("docs/threshold-and-regimes.md",
+                      "That is the machine of the paper's cases C1 and C2", "The map has");
   map.states(fmt::format("{} against {:.2f} rad/s at restitution 0.1, and {} against {:.2f} at 0.9",
                          cases.speed("C1", "paper_threshold"), cases.speed("C1", "quiet_up_to"),
                          cases.speed("C2", "paper_threshold"), cases.speed("C2", "quiet_up_to")));

@@ -224,7 +224,7 @@ MapCurve followed(const Regime& slower, const Regime& faster, const RegimeMap& m
   } catch (const std::invalid_argument&) {
     result.points.push_back({map.own, slower.to, std::nullopt});
   }
-  std::erase_if(result.points, [&](const MapPoint& point) {
+  std::erase_if(result.points, [&over = over](const MapPoint& point) {
     return point.constant < over.from || point.constant > over.to;
   });
   return result;

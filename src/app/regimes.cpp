@@ -182,7 +182,9 @@ bool differ_in_one(const std::string& constant, const Scene& a, Scene b) {
 MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUnit& unit) {
   const auto& [constant, from, to] = map.options.over;
   MapMarks marks;
-  const auto is_on_map = [&](double value) { return from <= value && value <= to; };
+  const auto is_on_map = [from = from, to = to](double value) {
+    return from <= value && value <= to;
+  };
   if (is_on_map(map.own)) {
     marks.machines.push_back(
         {map.own, fmt::format("{}: {} {:.4g}{}{}", chosen.name, words_for(constant),

@@ -29,7 +29,7 @@ Forces::Forces(const Scene& scene) {
     for (const PushTerm& term : terms) {
       const Term wave{rounded(term.amplitude, 1 / mass), rounded(term.phase, 1)};
       const auto& [a, p] = wave;
-      const auto together = [&](const Term& other) {
+      const auto together = [&a = a, &p = p](const Term& other) {
         return other.phase[1] == p[1] && p[2] == 0 && other.phase[2] == 0 && a[1] == 0 &&
                a[2] == 0 && other.amplitude[1] == 0 && other.amplitude[2] == 0;
       };

@@ -59,7 +59,7 @@ TEST(Main, HelpsWithAWordToo) {
   EXPECT_EQ(call("help simulate").out, call("simulate --help").out);
   EXPECT_EQ(call("help machine check").out, call("machine check --help").out);
   EXPECT_EQ(call("help calibrate").out, call("calibrate --help").out);
-  expect_refusal("help simulat", "simulat is no command; did you mean simulate?");
+  expect_refusal("help simulat", "simulat is no command; did you mean simulate or simulators?");
 }
 
 TEST(Main, TellsItsVersion) {
@@ -79,7 +79,7 @@ TEST(Main, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(Main, SaysWhatMayHaveBeenMeant) {
-  expect_refusal("simulat", "simulat is no command; did you mean simulate?");
+  expect_refusal("simulat", "simulat is no command; did you mean simulate or simulators?");
   expect_refusal("--versoin", "ricochet: --versoin is not expected; did you mean --version?");
   expect_refusal("simulate --case C1 --omga 3", "did you mean --omega?");
   expect_refusal("simulate --case C1 --omega=3 --plt=x", "did you mean --plot?");

@@ -25,10 +25,10 @@ TEST(ReportCommand, FailsWhereAChartCannotBeDrawnAndDrawsAllOthers) {
                              ": chart speed-gap could not be drawn: "
                              "series \"C1\", sample 0: 1e+200 is beyond 1e100\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "speed-gap.svg"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "continuity.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "validity-trend.svg"));
   const std::string page = read(folder / "index.html");
   EXPECT_THAT(page, HasSubstr("1e+200 is beyond 1e100"));
-  EXPECT_THAT(page, HasSubstr(read(folder / "continuity.svg")));
+  EXPECT_THAT(page, HasSubstr(read(folder / "validity-trend.svg")));
   EXPECT_THAT(read(folder / "summary.md"), Not(HasSubstr("(speed-gap.svg)")));
 }
 

@@ -30,6 +30,17 @@ double strike(const Scene& scene, Outcome& outcome, double time, Wall wall, doub
   return speed * (wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene));
 }
 
+/// Carries out the steps of a run. What they throw is its failure; what it has by then stays.
+template <class Steps>
+void carry_out(const Steps& steps, const System& system, Outcome& outcome) {
+  try {
+    steps();
+  } catch (const std::runtime_error& error) {
+    outcome.failure = error.what();
+  }
+  outcome.force_evaluations = system.forces.evaluations();
+}
+
 /// The motion between hard walls with the flights of a method.
 class HybridMotion {
  public:
@@ -51,13 +62,11 @@ class HybridMotion {
   }
 
   Outcome run() {
-    try {
+    const auto steps = [this] {
       while (time_ < system_.window) direction_ == 0 ? rest() : move();
-    } catch (const std::runtime_error& error) {
-      outcome_.failure = error.what();
-    }
+    };
+    carry_out(steps, system_, outcome_);
     outcome_.end = {time_, state_.position, state_.velocity};
-    outcome_.force_evaluations = system_.forces.evaluations();
     return std::move(outcome_);
   }
 
@@ -176,12 +185,7 @@ void reflect(const Scene& scene, System& system, double longest, Rule rule, Outc
 Outcome run_with_reflection(const Scene& scene, double longest, Rule rule) {
   Outcome outcome;
   System system(scene);
-  try {
-    reflect(scene, system, longest, rule, outcome);
-  } catch (const std::runtime_error& error) {
-    outcome.failure = error.what();
-  }
-  outcome.force_evaluations = system.forces.evaluations();
+  carry_out([&] { reflect(scene, system, longest, rule, outcome); }, system, outcome);
   return outcome;
 }
 
@@ -200,16 +204,14 @@ class MotionThroughWalls {
   }
 
   Outcome run(std::int64_t most) {
-    try {
-      for (std::int64_t steps = 1; time_ < system_.window; ++steps) {
-        if (steps > most) throw std::runtime_error("more than " + std::to_string(most) + " steps");
+    const auto steps = [this, most] {
+      for (std::int64_t step = 1; time_ < system_.window; ++step) {
+        if (step > most) throw std::runtime_error("more than " + std::to_string(most) + " steps");
         advance();
       }
-    } catch (const std::runtime_error& error) {
-      outcome_.failure = error.what();
-    }
+    };
+    carry_out(steps, system_, outcome_);
     outcome_.end = {time_, state_.position, state_.velocity};
-    outcome_.force_evaluations = system_.forces.evaluations();
     return std::move(outcome_);
   }
 

@@ -124,6 +124,14 @@ double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const Distur
   return largest;
 }
 
+/// Takes the fewest and the most collisions of some turns.
+template <class Turn>
+void take_extremes(DisturbedMotion& motion, const std::vector<Turn>& turns) {
+  const auto [least, most] = std::ranges::minmax_element(turns, {}, &Turn::collisions);
+  motion.least = least->collisions;
+  motion.most = most->collisions;
+}
+
 /// Finds the turns of a motion, from a start at rest on a wall.
 class Settling {
  public:
@@ -173,11 +181,7 @@ class Settling {
     std::vector<DisturbedTurn>& turns = motion_.turns;
     std::sort(turns.begin(), turns.end(),
               [](const auto& a, const auto& b) { return a.phase < b.phase; });
-    const auto [least, most] = std::minmax_element(
-        turns.begin(), turns.end(),
-        [](const auto& a, const auto& b) { return a.collisions < b.collisions; });
-    motion_.least = least->collisions;
-    motion_.most = most->collisions;
+    take_extremes(motion_, turns);
   }
 
  private:
@@ -285,12 +289,7 @@ DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> als
   }
   motion.settled = false;
   motion.turns.clear();
-  const std::vector<ObservedTurn> turns = irregular_turns(motion);
-  const auto [least, most] =
-      std::minmax_element(turns.begin(), turns.end(),
-                          [](const auto& a, const auto& b) { return a.collisions < b.collisions; });
-  motion.least = least->collisions;
-  motion.most = most->collisions;
+  take_extremes(motion, irregular_turns(motion));
   return motion;
 }
 

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "problems/carrier_track/identification/knock_record.h"
-#include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_values.h"
@@ -98,51 +97,24 @@ Call called(const std::vector<std::string>& arguments, const fs::path& folder) {
           text_of(messages)};
 }
 
-/// Collisions of each turn of a window.
-struct TurnCounts : Observer {
-  static constexpr bool hears_impacts_alone = true;
-
-  double counting_limit = 0;
-  double period = 0;  ///< [s], of a turn
-  std::vector<int> counts = {};
-
-  void impact(double time, Wall /*wall*/, double speed) {
-    if (!is_counted(speed, counting_limit)) return;
-    const auto turn = static_cast<std::size_t>(time / period);
-    if (turn < counts.size()) ++counts[turn];
-  }
-};
-
 struct Range {
   double least, most;
 };
 
 /// The fewest and the most collisions in a turn of a disturbed machine, after so many turns.
 Range counted_at_phases(Scene scene, double omega, int settling) {
-  constexpr std::size_t phases = 150;
+  constexpr int phases = 150;
   constexpr int observed = 8;
   scene = at_speed(scene, omega);
   scene.fidelity = Fidelity::impact;
   begin_turns_at_rest(scene);
-  scene.window = Revolutions{static_cast<double>(settling + observed)};
-  TurnCounts none;
-  none.counting_limit = scene.counting_limit;
-  none.period = 2 * std::numbers::pi / omega;
-  none.counts.assign(static_cast<std::size_t>(settling + observed), 0);
-  std::vector<TurnCounts> heard(phases, none);
-  const auto model_at = [&](std::size_t k) {
-    Scene there = scene;
-    there.disturbance_phase += 2 * std::numbers::pi * static_cast<double>(k) / phases;
-    return ImpactModel<double>(there);
-  };
-  const auto outcomes =
-      run_in_lanes(phases, model_at, [&](std::size_t k) -> TurnCounts& { return heard[k]; });
+  std::vector<double> even;
+  for (int k = 0; k < phases; ++k)
+    even.push_back(scene.disturbance_phase + 2 * std::numbers::pi * k / phases);
   Range range{1e300, -1};
-  for (std::size_t k = 0; k < phases; ++k) {
-    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
-    const auto [least, most] =
-        std::minmax_element(heard[k].counts.begin() + settling, heard[k].counts.end());
-    range = {std::min<double>(range.least, *least), std::max<double>(range.most, *most)};
+  for (const ObservedTurn& turn : observed_turns(scene, even, settling, observed)) {
+    range = {std::min<double>(range.least, turn.collisions),
+             std::max<double>(range.most, turn.collisions)};
   }
   return range;
 }

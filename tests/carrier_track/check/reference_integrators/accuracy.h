@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <vector>
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/scene/scene_values.h"
+#include "tests/carrier_track/models/brute_force.h"
 
 namespace ricochet::carrier_track {
 
@@ -28,13 +28,6 @@ struct Accuracy {
   double end_position_error = 0;  ///< [m], at the end of the window
 };
 
-inline std::vector<Impact> faster_than(double speed, const Outcome& outcome) {
-  std::vector<Impact> chosen;
-  std::copy_if(outcome.impacts.begin(), outcome.impacts.end(), std::back_inserter(chosen),
-               [&](const Impact& impact) { return impact.speed > speed; });
-  return chosen;
-}
-
 /// `outcome` and `reference` are finished runs of the valid `scene`. The rule `impacts` is applied
 /// whatever the scene's rule: outcomes contain no peaks.
 inline Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& reference) {
@@ -43,8 +36,8 @@ inline Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcom
   accuracy.count_difference = collisions(scene, outcome) - expected;
   accuracy.end_position_error = std::abs(outcome.end.position - reference.end.position);
   const double window = 0.5 * duration_of(scene) / std::max(expected, 1);
-  const std::vector<Impact> seen = faster_than(0.5 * scene.counting_limit, outcome);
-  const std::vector<Impact> real = faster_than(0.5 * scene.counting_limit, reference);
+  const std::vector<Impact> seen = faster(outcome.impacts, 0.5 * scene.counting_limit);
+  const std::vector<Impact> real = faster(reference.impacts, 0.5 * scene.counting_limit);
   auto s = seen.begin();
   auto r = real.begin();
   while (s != seen.end() || r != real.end()) {

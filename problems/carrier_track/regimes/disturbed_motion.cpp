@@ -127,7 +127,9 @@ double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const Distur
 /// Takes the fewest and the most collisions of some turns.
 template <class Turn>
 void take_extremes(DisturbedMotion& motion, const std::vector<Turn>& turns) {
-  const auto [least, most] = std::ranges::minmax_element(turns, {}, &Turn::collisions);
+  const auto [least, most] =
+      std::minmax_element(turns.begin(), turns.end(),
+                          [](const Turn& a, const Turn& b) { return a.collisions < b.collisions; });
   motion.least = least->collisions;
   motion.most = most->collisions;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "solvers/library_solvers.h"
 #include "solvers/unit_box.h"
@@ -174,6 +175,7 @@ Solver continuation(Solver solver) {
                                         Random& random) -> SolverTermination {
     const std::int64_t most = most_steps * (1 + evaluator.dimension());
     Vector x = start;
+    std::optional<Vector> before;
     SolverTermination exit;
     for (double smoothing = widest; smoothing > narrowest; smoothing *= narrowing) {
       evaluator.smooth(smoothing);
@@ -181,11 +183,11 @@ Solver continuation(Solver solver) {
       exit = solve(evaluator, x, random);
       evaluator.allow(most);
       if (evaluator.over()) break;
-      if (evaluator.best_shown() != nullptr) x = *evaluator.best_shown();
+      if (evaluator.best_shown() != nullptr) before = x = *evaluator.best_shown();
     }
     if (evaluator.constraints() > 0 && !evaluator.over()) settle(evaluator, x);
-    exit.point
-        .reset();  // of this smoothing parameter only; the best point at the last one is returned
+    // The best point at the last parameter is returned; that of the one before if it shows none.
+    exit.point = evaluator.best_shown() == nullptr ? before : std::nullopt;
     return exit;
   };
   return result;

@@ -75,6 +75,23 @@ TEST(Continuation, GoesFromWideToNarrowAndLooksAtTheTrueValuesLast) {
   EXPECT_TRUE(std::is_sorted(smoothings.rbegin(), smoothings.rend()));
 }
 
+// A budget may end between two smoothing parameters, before the next has shown a point.
+TEST(Continuation, ReturnsItsBestPointWhereverTheBudgetEnds) {
+  const Solver solver = continuation(solver_named("nlopt-slsqp"));
+  for (const Problem& problem : {sphere(2, 3), disc()}) {
+    int compared = 0;
+    for (std::int64_t budget = 1; budget <= 200; ++budget) {
+      const RunRecord record = run(problem, solver, {budget}, 0);
+      if (record.trace.empty()) continue;
+      ASSERT_TRUE(record.returned) << problem.name << ", " << budget;
+      EXPECT_FALSE(better(record.trace.back().true_values, record.returned->true_values))
+          << problem.name << ", " << budget;
+      ++compared;
+    }
+    EXPECT_GT(compared, 100);
+  }
+}
+
 TEST(Continuation, AcceptsWhatHasTheKnobAndSuitsItsSolver) {
   const Solver solver = continuation(solver_named("nlopt-slsqp"));
   EXPECT_EQ(solver.name, "continuation-nlopt-slsqp");

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -29,23 +30,28 @@ constexpr double circle = 2 * std::numbers::pi;
 /// they are too slow for any margin above lowest_margin.
 constexpr double summed_rebounds = 0.1;
 
-/// Takes the impacts of the last turn.
-struct LastTurn : Observer {
+/// The start of a turn.
+struct TurnStart {
+  double omega, phase;
+  double position, velocity;  // of the carrier
+};
+
+/// Takes the impacts of a turn.
+struct CollectedImpacts : Observer {
   static constexpr bool hears_impacts_alone = true;
 
-  double start = 0;    // [s]
   double slowest = 0;  // [m/s]
-  std::vector<Impact> impacts;
+  std::vector<Impact> all;
 
   void impact(double time, Wall wall, double speed) {
-    if (time >= start && speed > slowest) impacts.push_back({time, wall, speed});
+    if (speed > slowest) all.push_back({time, wall, speed});
   }
 };
 
-/// The turn that a simulation has ended with.
-DisturbedTurn turn_with(std::vector<Impact> impacts, double phase, double limit,
+DisturbedTurn turn_with(std::vector<Impact> impacts, const TurnStart& start, double limit,
                         const End<double>& end) {
-  DisturbedTurn turn{phase, std::move(impacts), {}, lowest_margin, 0, end.position, end.velocity};
+  DisturbedTurn turn{start.phase,    std::move(impacts), {},           lowest_margin, 0,
+                     start.position, start.velocity,     end.position, end.velocity};
   for (const Impact& impact : turn.impacts) {
     turn.margins.push_back(std::log(impact.speed / limit));
     if (is_counted(impact.speed, limit)) ++turn.collisions;
@@ -55,53 +61,91 @@ DisturbedTurn turn_with(std::vector<Impact> impacts, double phase, double limit,
   return turn;
 }
 
-/// The last of `before` + 1 turns at each of these speeds and phases.
-std::vector<DisturbedTurn> last_turns(const Scene& scene, std::span<const SpeedAndPhase> places,
-                                      int before) {
-  std::vector<LastTurn> last(places.size());
+/// Simulates some turns that end at the phases of these starts, or begin there.
+template <class ObserverAt>
+std::vector<LaneOutcome> fly(const Scene& scene, std::span<const TurnStart> starts, int turns,
+                             int before, const ObserverAt& observer_at) {
   Scene there = scene;
-  there.window = Revolutions{static_cast<double>(before + 1)};
+  there.window = Revolutions{static_cast<double>(turns)};
   const auto model_at = [&](std::size_t k) {
-    const auto& [omega, phase] = places[k];
-    const double start = before * circle / omega;
+    const TurnStart& start = starts[k];
     there.phase = scene.phase;
-    there.omega = omega;
-    if (omega != scene.omega) begin_turns_at_rest(there);
-    there.disturbance_phase = phase - start * scene.disturbance_frequency;
-    last[k].start = start;
-    last[k].slowest = std::exp(lowest_margin) * scene.counting_limit;
+    there.omega = start.omega;
+    if (start.omega != scene.omega) begin_turns_at_rest(there);
+    there.disturbance_phase =
+        start.phase - before * circle / start.omega * scene.disturbance_frequency;
+    there.start_position = start.position;
+    there.start_velocity = start.velocity;
     return ImpactModel<double>(there, summed_rebounds * scene.counting_limit);
   };
+  std::vector<LaneOutcome> outcomes = run_in_lanes(starts.size(), model_at, observer_at);
+  for (const LaneOutcome& outcome : outcomes) {
+    if (outcome.failure) std::rethrow_exception(outcome.failure);
+  }
+  return outcomes;
+}
+
+struct Nobody : Observer {
+  static constexpr bool hears_impacts_alone = true;
+};
+
+/// Moves the carriers on by `before` turns, up to these phases.
+void pass(const Scene& scene, std::vector<TurnStart>& starts, int before) {
+  if (before == 0) return;
+  Nobody nobody;
   const auto outcomes =
-      run_in_lanes(places.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
+      fly(scene, starts, before, before, [&](std::size_t) -> Nobody& { return nobody; });
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    starts[k].position = outcomes[k].end.position;
+    starts[k].velocity = outcomes[k].end.velocity;
+  }
+}
+
+/// The turns from these starts.
+std::vector<DisturbedTurn> turns_from(const Scene& scene, std::span<const TurnStart> starts) {
+  std::vector<CollectedImpacts> impacts(starts.size());
+  const double slowest = std::exp(lowest_margin) * scene.counting_limit;
+  for (CollectedImpacts& each : impacts) each.slowest = slowest;
+  const auto outcomes =
+      fly(scene, starts, 1, 0, [&](std::size_t k) -> CollectedImpacts& { return impacts[k]; });
   std::vector<DisturbedTurn> turns;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
-    turns.push_back(turn_with(std::move(last[k].impacts), places[k].phase, scene.counting_limit,
-                              outcomes[k].end));
+  turns.reserve(starts.size());
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    turns.push_back(
+        turn_with(std::move(impacts[k].all), starts[k], scene.counting_limit, outcomes[k].end));
   }
   return turns;
 }
 
-constexpr std::size_t even_phases = 64;
-constexpr std::size_t even_phases_before = 128;  // where turns before have to erase the start
+std::vector<double> phases_from(double first, std::size_t count) {
+  std::vector<double> phases;
+  for (std::size_t k = 0; k < count; ++k) {
+    phases.push_back(first + circle * static_cast<double>(k) / static_cast<double>(count));
+  }
+  return phases;
+}
+
+constexpr std::size_t few_phases = 8;  // that fill the lanes
+// [rad], between phases of turns that are not alike, and that begin at rest on one wall, or not
+constexpr double widest_gap = circle / 64, widest_moving_gap = circle / 128;
 /// Numbers of turns whose rests erase the start, if it is not where turns start.
 constexpr int erasing_turns[] = {2, 8, 32};
+constexpr int recorded_turns = 20;    // of each of a few flights that have forgotten their starts
 constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
 constexpr double same_margin = 1e-9;  // of turns that are the same
 constexpr std::size_t most_phases = 2000;
 constexpr double narrowest_gap = 1e-4;  // [rad]
 constexpr double slow = -1.5;           // margins that are lower are alike
+constexpr double alike = 0.1;           // margins that differ by less over a few phases
 constexpr double near_limit = 1e-5;     // margins nearer to 0 are as near as this
 
 /// Whether two turns of one phase, from different starts, are the same: their starts are forgotten.
-bool are_same(const Scene& machine, const DisturbedTurn& a, const DisturbedTurn& b) {
+/// `room` is the height [m], and `limit` the speed [m/s], that their ends are compared with.
+bool are_same(const DisturbedTurn& a, const DisturbedTurn& b, double room, double limit) {
   if (a.collisions != b.collisions) return false;
   // A carrier that friction holds in the gap remembers where, though nothing collides.
-  const double away = std::abs(a.end_position - b.end_position);
-  if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
-  const double faster = std::abs(a.end_velocity - b.end_velocity);
-  if (faster > same_end * machine.counting_limit) return false;
+  if (std::abs(a.end_position - b.end_position) > same_end * room) return false;
+  if (std::abs(a.end_velocity - b.end_velocity) > same_end * limit) return false;
   for (int rank = 1; rank <= a.collisions; ++rank) {
     if (std::abs(a.margin(rank) - b.margin(rank)) > same_margin) return false;
   }
@@ -137,46 +181,177 @@ void take_extremes(DisturbedMotion& motion, const std::vector<Turn>& turns) {
 /// Finds the turns of a motion, from a start at rest on a wall.
 class Settling {
  public:
-  explicit Settling(DisturbedMotion& motion) : motion_(motion), machine_(motion.machine) {}
-
-  /// Whether turns depend on their phase alone, if they begin so many turns after that start.
-  bool settles(double wall, int before, std::span<const double> also) {
-    machine_.start_position = wall;
-    motion_.turns_before = before;
-    motion_.turns.clear();
+  Settling(DisturbedMotion& motion, std::span<const double> also)
+      : motion_(motion), machine_(motion.machine), also_(also.begin(), also.end()) {
     // Other phases at other speeds: turns that few phases have are met at one of them.
     const double shift = 20.6 * std::log(machine_.omega);
-    std::vector<double> even;
-    const std::size_t count = before == 0 ? even_phases : even_phases_before;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double place = static_cast<double>(k) + shift - std::floor(shift);
-      even.push_back(place / static_cast<double>(count) * circle);
-    }
-    // Half of them may tell that they do not.
-    const std::span<const double> all = even;
-    if (!forgets(all.first(count / 2)) || !forgets(all.last(count / 2)) || !forgets(also)) {
-      return false;
-    }
-    for (;;) {
-      sort();
-      const std::vector<double> middles = middles_of_gaps();
-      if (middles.empty()) return true;
-      motion_.resolved = motion_.turns.size() + middles.size() <= most_phases;
-      if (!motion_.resolved) return true;
-      if (!forgets(middles)) return false;
-    }
+    first_phase_ = widest_gap * (shift - std::floor(shift));
   }
 
-  /// Takes the turns at some phases. False if the carrier does not return to where they begin.
-  bool take(std::span<const double> phases) {
-    std::vector<double> within(phases.begin(), phases.end());
-    for (double& phase : within) phase -= circle * std::floor(phase / circle);
-    std::vector<DisturbedTurn> turns = turns_at_phases(machine_, within, motion_.turns_before);
-    const bool return_all = std::all_of(turns.begin(), turns.end(), [&](const auto& turn) {
-      return turn.end_velocity == 0 && turn.end_position == machine_.start_position;
-    });
-    std::move(turns.begin(), turns.end(), std::back_inserter(motion_.turns));
-    return motion_.turns_before > 0 || return_all;
+  /// Whether every turn begins and ends at rest on a wall, where turns that begin otherwise lead,
+  /// too.
+  bool returns_to(double wall) {
+    machine_.start_position = wall;
+    motion_.turns.clear();
+    if (!take(phases_from(first_phase_, few_phases))) return false;
+    if (!is_reached() || !take(phases_from(first_phase_ + circle / 16, few_phases))) return false;
+    sort();
+    if (are_alike()) return true;
+    std::vector<double> rest = also_;
+    for (const double part : {1.0 / 64, 1.0 / 32, 3.0 / 64}) {
+      const auto more = phases_from(first_phase_ + part * circle, 2 * few_phases);
+      rest.insert(rest.end(), more.begin(), more.end());
+    }
+    return take(rest) && refine();
+  }
+
+  /// The same from turns that begin so on the wall of the last returns_to(): whether some turns
+  /// later the start is forgotten.
+  bool forgets() {
+    choose_other_start();
+    motion_.turns.clear();
+    const std::vector<double> phases = phases_from(first_phase_, few_phases);
+    std::vector<TurnStart> bodies = starts_at(phases, at_wall());
+    const auto others = starts_at(phases, other_);
+    bodies.insert(bodies.end(), others.begin(), others.end());
+    int before = 0;
+    for (;; ++before) {
+      std::vector<DisturbedTurn> turns = flown_on(bodies);
+      if (before >= erasing_turns[0] && are_pairs(turns)) {
+        keep(turns, few_phases);
+        break;
+      }
+      if (before == std::end(erasing_turns)[-1]) return false;
+    }
+    bodies.resize(few_phases);
+    for (int k = 1; k < recorded_turns; ++k) {
+      std::vector<DisturbedTurn> turns = flown_on(bodies);
+      keep(turns, few_phases);
+    }
+    motion_.turns_before =
+        *std::lower_bound(std::begin(erasing_turns), std::end(erasing_turns), before);
+    return take(also_) && refine();
+  }
+
+ private:
+  TurnStart at_wall() const { return {machine_.omega, 0, machine_.start_position, 0}; }
+
+  static std::vector<TurnStart> starts_at(std::span<const double> phases, TurnStart body) {
+    std::vector<TurnStart> starts;
+    for (const double phase : phases) {
+      body.phase = phase - circle * std::floor(phase / circle);
+      starts.push_back(body);
+    }
+    return starts;
+  }
+
+  /// Off the wall, as fast as the fastest impact.
+  TurnStart knocked() const {
+    double fastest = 0;
+    for (const DisturbedTurn& turn : motion_.turns) fastest = std::max(fastest, turn.margin(1));
+    const double speed = std::exp(fastest) * machine_.counting_limit;
+    TurnStart start = at_wall();
+    start.velocity = start.position == machine_.wall_lower ? speed : -speed;
+    return start;
+  }
+
+  /// Another start: on the other wall; if there is none, as high as turns end, or off the wall.
+  void choose_other_start() {
+    other_ = at_wall();
+    room_ = machine_.wall_upper - machine_.wall_lower;
+    if (std::isfinite(room_)) {
+      other_.position =
+          other_.position == machine_.wall_lower ? machine_.wall_upper : machine_.wall_lower;
+      return;
+    }
+    for (const DisturbedTurn& turn : motion_.turns) {
+      other_.position = std::max(other_.position, turn.end_position);
+    }
+    room_ = other_.position - machine_.wall_lower;
+    if (room_ > 0) return;
+    other_ = knocked();
+    room_ = other_.velocity / machine_.omega;
+  }
+
+  /// The turns of some bodies, which move on to the next ones.
+  std::vector<DisturbedTurn> flown_on(std::vector<TurnStart>& bodies) const {
+    std::vector<DisturbedTurn> turns = turns_from(machine_, bodies);
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const double phase =
+          bodies[k].phase + circle * machine_.disturbance_frequency / machine_.omega;
+      bodies[k] = {machine_.omega, phase - circle * std::floor(phase / circle),
+                   turns[k].end_position, turns[k].end_velocity};
+    }
+    return turns;
+  }
+
+  bool is_at_wall(double position, double velocity) const {
+    return velocity == 0 && position == machine_.start_position;
+  }
+
+  /// Whether a carrier that is knocked off the wall where turns begin comes to rest there again.
+  bool is_reached() const {
+    std::vector<TurnStart> bodies = starts_at(phases_from(first_phase_, few_phases), knocked());
+    for (int turn = 0; turn < std::end(erasing_turns)[-1]; ++turn) {
+      flown_on(bodies);
+      std::erase_if(bodies, [this](const TurnStart& body) {
+        return is_at_wall(body.position, body.velocity);
+      });
+      if (bodies.empty()) return true;
+    }
+    return false;
+  }
+
+  /// Whether the second half of turns is the same as the first.
+  bool are_pairs(const std::vector<DisturbedTurn>& turns) const {
+    const auto half = static_cast<std::ptrdiff_t>(turns.size() / 2);
+    return std::equal(turns.begin(), turns.begin() + half, turns.begin() + half,
+                      [this](const auto& a, const auto& b) {
+                        return are_same(a, b, room_, machine_.counting_limit);
+                      });
+  }
+
+  /// Takes the first of some turns.
+  void keep(std::vector<DisturbedTurn>& turns, std::size_t count) {
+    std::move(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(count),
+              std::back_inserter(motion_.turns));
+  }
+
+  /// Takes turns that begin as they are known to. False if one does not end so, but all should.
+  bool take_from(std::span<const TurnStart> starts) {
+    std::vector<DisturbedTurn> turns = turns_from(machine_, starts);
+    keep(turns, turns.size());
+    return motion_.turns_before > 0 ||
+           std::all_of(motion_.turns.end() - static_cast<std::ptrdiff_t>(starts.size()),
+                       motion_.turns.end(), [this](const DisturbedTurn& turn) {
+                         return is_at_wall(turn.end_position, turn.end_velocity);
+                       });
+  }
+
+  /// Takes the turns at some phases. False if the carrier does not return to where they begin, or
+  /// if no number of turns before makes it forget its start.
+  bool take(const std::vector<double>& phases) {
+    if (motion_.turns_before == 0) return take_from(starts_at(phases, at_wall()));
+    for (;;) {
+      std::vector<TurnStart> starts = starts_at(phases, at_wall());
+      const auto others = starts_at(phases, other_);
+      starts.insert(starts.end(), others.begin(), others.end());
+      pass(machine_, starts, motion_.turns_before);
+      const auto half = starts.begin() + static_cast<std::ptrdiff_t>(phases.size());
+      const bool are_one = std::equal(starts.begin(), half, half, [](const auto& a, const auto& b) {
+        return a.position == b.position && a.velocity == b.velocity;
+      });
+      if (are_one) return take_from({starts.begin(), half});
+      std::vector<DisturbedTurn> turns = turns_from(machine_, starts);
+      if (are_pairs(turns)) {
+        keep(turns, phases.size());
+        return true;
+      }
+      const auto more = std::upper_bound(std::begin(erasing_turns), std::end(erasing_turns),
+                                         motion_.turns_before);
+      if (more == std::end(erasing_turns)) return false;
+      motion_.turns_before = *more;
+    }
   }
 
   void sort() {
@@ -186,19 +361,90 @@ class Settling {
     take_extremes(motion_, turns);
   }
 
- private:
-  /// The same; false, too, if starts on both walls do not lead to the same.
-  bool forgets(std::span<const double> phases) {
-    const std::size_t first = motion_.turns.size();
-    if (!take(phases)) return false;
-    const int before = motion_.turns_before;
-    if (before == 0 || !std::isfinite(machine_.wall_upper)) return true;
-    Scene other = machine_;
-    const bool on_lower = machine_.start_position == machine_.wall_lower;
-    other.start_position = on_lower ? machine_.wall_upper : machine_.wall_lower;
-    const auto others = turns_at_phases(other, phases, before);
-    return std::equal(others.begin(), others.end(), motion_.turns.begin() + first,
-                      [&](const auto& a, const auto& b) { return are_same(machine_, a, b); });
+  /// Takes more turns, in the middles of gaps where they may hide.
+  bool refine() {
+    for (;;) {
+      sort();
+      std::vector<double> unknown;
+      std::vector<KnownStart> known;
+      for (const double middle : middles_of_gaps()) {
+        if (const auto start = known_start(middle)) {
+          known.push_back(*start);
+        } else {
+          unknown.push_back(middle);
+        }
+      }
+      const std::size_t more = unknown.size() + known.size();
+      if (more == 0) return true;
+      motion_.resolved = motion_.turns.size() + more <= most_phases;
+      if (!motion_.resolved) return true;
+      if (!take_from(passed(std::move(known))) || !take(unknown)) return false;
+    }
+  }
+
+  /// Where a carrier is known to be some turns before a turn.
+  struct KnownStart {
+    int before;
+    TurnStart body;
+  };
+
+  /// The latest rest on a wall before the turn at a phase that both turns next to it have.
+  std::optional<KnownStart> known_start(double phase) const {
+    const std::vector<DisturbedTurn>& turns = motion_.turns;
+    const double backwards = circle * machine_.disturbance_frequency / machine_.omega;
+    for (int before = 0; before <= motion_.turns_before; ++before, phase -= backwards) {
+      phase -= circle * std::floor(phase / circle);
+      const auto next = std::upper_bound(
+          turns.begin(), turns.end(), phase,
+          [](double value, const DisturbedTurn& turn) { return value < turn.phase; });
+      const DisturbedTurn& a = next == turns.begin() ? turns.back() : *std::prev(next);
+      const DisturbedTurn& b = next == turns.end() ? turns.front() : *next;
+      const double gap = b.phase - a.phase + (b.phase < a.phase ? circle : 0);
+      if (gap < 1.001 * widest_gap && begin_on_one_wall(a, b)) {
+        return KnownStart{before, {machine_.omega, phase, a.start_position, 0}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  bool begin_on_one_wall(const DisturbedTurn& a, const DisturbedTurn& b) const {
+    const double wall = a.start_position;
+    return a.start_velocity == 0 && b.start_velocity == 0 && b.start_position == wall &&
+           (wall == machine_.wall_lower || wall == machine_.wall_upper);
+  }
+
+  /// The starts of the turns themselves.
+  std::vector<TurnStart> passed(std::vector<KnownStart> starts) const {
+    std::vector<TurnStart> bodies;
+    // Those that have farther to go move on until all have as far: side by side.
+    std::sort(starts.begin(), starts.end(),
+              [](const auto& a, const auto& b) { return a.before > b.before; });
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      bodies.push_back(starts[k].body);
+      const int left = k + 1 < starts.size() ? starts[k + 1].before : 0;
+      for (int before = starts[k].before; before > left; --before) flown_on(bodies);
+    }
+    return bodies;
+  }
+
+  /// Whether turns have the same impacts, with margins that differ little and are far from other
+  /// counts.
+  bool are_alike() const {
+    const std::vector<DisturbedTurn>& turns = motion_.turns;
+    const std::size_t ranks = turns.front().margins.size();
+    double spread = 0;
+    for (const DisturbedTurn& turn : turns) {
+      const auto same_wall = [](const Impact& a, const Impact& b) { return a.wall == b.wall; };
+      const auto& impacts = turns.front().impacts;
+      if (!std::equal(impacts.begin(), impacts.end(), turn.impacts.begin(), turn.impacts.end(),
+                      same_wall))
+        return false;
+      for (std::size_t k = 0; k < ranks; ++k) {
+        spread = std::max(spread, std::abs(turn.margins[k] - turns.front().margins[k]));
+      }
+      spread = std::max(spread, std::abs(turn.first - turns.front().first));
+    }
+    return spread < alike && 5 * spread < distance(turns.front(), turns.front());
   }
 
   const DisturbedTurn& turn(std::size_t k) const { return motion_.turns[k % motion_.turns.size()]; }
@@ -224,37 +470,55 @@ class Settling {
     for (std::size_t k = count; k < 2 * count; ++k) {
       const double gap = gap_after(k);
       if (gap <= narrowest_gap) continue;
+      const auto &b = turn(k), &c = turn(k + 1);
+      if (gap > 1.001 * (begin_on_one_wall(b, c) ? widest_gap : widest_moving_gap)) {
+        middles.push_back(b.phase + gap / 2);
+        continue;
+      }
       // Beside a much narrower gap a jump is inside that.
       const auto ratio = [&](double beside) {
         return beside < gap / 2 ? 0 : std::min(1.0, gap / beside);
       };
-      const auto &a = turn(k - 1), &b = turn(k), &c = turn(k + 1), &d = turn(k + 2);
+      const auto &a = turn(k - 1), &d = turn(k + 2);
       const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
                                    bend_between(d, c, b, ratio(gap_after(k + 1))));
       const bool may_not_return =
           motion_.turns_before == 0 && std::abs(b.collisions - c.collisions) > 1;
       const bool jumps = may_not_return || std::abs(b.end_position - c.end_position) > apart;
-      if (jumps || bend > distance(b, c)) middles.push_back(b.phase + gap / 2);
+      const double share = begin_on_one_wall(b, c) ? 1 : 0.5;
+      if (jumps || bend > share * distance(b, c)) middles.push_back(b.phase + gap / 2);
     }
     return middles;
   }
 
   DisturbedMotion& motion_;
   Scene& machine_;
+  std::vector<double> also_;
+  double first_phase_ = 0;
+  TurnStart other_{};
+  double room_ = 0;  // [m], that ends of turns are compared with
 };
 
 }  // namespace
 
 std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
                                            int before) {
-  std::vector<SpeedAndPhase> places;
-  for (const double phase : phases) places.push_back({scene.omega, phase});
-  return last_turns(scene, places, before);
+  std::vector<TurnStart> starts;
+  for (const double phase : phases) {
+    starts.push_back({scene.omega, phase, scene.start_position, scene.start_velocity});
+  }
+  pass(scene, starts, before);
+  return turns_from(scene, starts);
 }
 
 std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
                                     std::span<const SpeedAndPhase> places) {
-  return last_turns(motion.machine, places, motion.turns_before);
+  std::vector<TurnStart> starts;
+  for (const auto& [omega, phase] : places) {
+    starts.push_back({omega, phase, motion.machine.start_position, 0});
+  }
+  pass(motion.machine, starts, motion.turns_before);
+  return turns_from(motion.machine, starts);
 }
 
 const DisturbedTurn& extreme_turn(const DisturbedMotion& motion, int rank, Extreme extreme) {
@@ -283,12 +547,9 @@ DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> als
   machine.start_position = wall;
   motion.moves = release_margin(machine, wall) > 0;
   if (!motion.moves) return motion;
-  Settling settling(motion);
-  if (has_upper && settling.settles(upper, 0, also)) return motion;
-  if (settling.settles(lower, 0, also)) return motion;
-  for (const int before : erasing_turns) {
-    if (settling.settles(wall, before, also)) return motion;
-  }
+  Settling settling(motion, also);
+  if (has_upper && settling.returns_to(wall == upper ? lower : upper)) return motion;
+  if (settling.returns_to(wall) || settling.forgets()) return motion;
   motion.settled = false;
   motion.turns.clear();
   take_extremes(motion, irregular_turns(motion));
@@ -336,14 +597,6 @@ class LastTurns : public Observer {
 constexpr int irregular_turn_count = 120;  // observed after as many
 constexpr std::size_t mean_phases = 8;
 
-std::vector<double> phases_from(double first, std::size_t count) {
-  std::vector<double> phases;
-  for (std::size_t k = 0; k < count; ++k) {
-    phases.push_back(first + circle * static_cast<double>(k) / static_cast<double>(count));
-  }
-  return phases;
-}
-
 }  // namespace
 
 std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
@@ -380,20 +633,21 @@ LongRun long_run_of(const DisturbedMotion& motion) {
   LongRun result{motion.machine, 0, 0, 0, 0};
   const auto count = static_cast<double>(turns.size());
   for (const ObservedTurn& turn : turns) {
-    result.collisions_per_turn += turn.collisions / count;
+    if (!motion.settled) result.collisions_per_turn += turn.collisions / count;
     result.energy_per_turn += turn.energy / count;
     result.share_at_rest += turn.share_at_rest / count;
     result.fastest_impact = std::max(result.fastest_impact, turn.fastest);
   }
   if (!motion.settled) return result;
   // Of all phases, each for those nearer to it than to others.
-  result.collisions_per_turn = 0;
+  result.collisions_per_turn = motion.least;
   double before = motion.turns.back().phase - circle;
   for (std::size_t k = 0; k < motion.turns.size(); ++k) {
     const DisturbedTurn& turn = motion.turns[k];
     const bool is_last = k + 1 == motion.turns.size();
     const double after = is_last ? motion.turns.front().phase + circle : motion.turns[k + 1].phase;
-    result.collisions_per_turn += turn.collisions * (after - before) / (2 * circle);
+    result.collisions_per_turn +=
+        (turn.collisions - motion.least) * (after - before) / (2 * circle);
     before = turn.phase;
     const double fastest = std::exp(turn.margin(1)) * motion.machine.counting_limit;
     if (!turn.margins.empty()) result.fastest_impact = std::max(result.fastest_impact, fastest);

@@ -24,7 +24,8 @@ struct DisturbedTurn {
   std::vector<double> margins;  ///< ln(speed / counting limit) of these, the largest first
   double first;                 ///< margin of the first of them by time, or lowest_margin
   int collisions;
-  double end_position, end_velocity;  ///< [m], [m/s]
+  double start_position, start_velocity;  ///< [m], [m/s]
+  double end_position, end_velocity;
 
   /// That of the rank-th fastest impact, rank 1 the fastest; at least lowest_margin.
   double margin(int rank) const {
@@ -49,7 +50,7 @@ struct DisturbedMotion {
   /// earlier, whose rests erase the start.
   Scene machine;
   int turns_before = 0;
-  bool settled = true;  ///< a turn depends on its phase alone
+  bool settled = true;  ///< a turn depends on its phase alone; see disturbed_motion()
   bool moves = true;
   /// False if more phases than are simulated would be needed to know the fewest and the most.
   bool resolved = true;
@@ -72,8 +73,11 @@ inline bool is_disturbed(const Scene& scene) {
 }
 
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
-/// It is simulated at even phases, at those in `also` [rad], and between phases whose turns differ
-/// so much that turns with fewer or more collisions may hide there, down to 1e-4 rad.
+/// It is simulated at some phases; unless these turns are alike, at more phases, at those in `also`
+/// [rad], and between phases whose turns differ so much that turns with fewer or more collisions
+/// may hide there, down to 1e-4 rad. It is settled if every turn begins and ends at rest on one
+/// wall, also if the carrier is knocked off it, or if starts on both walls (without an upper wall:
+/// on the lower one and as high as turns end) are forgotten within 32 turns.
 DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also = {});
 
 /// The turns of a settled motion at another speed [rad/s] and at other phases.

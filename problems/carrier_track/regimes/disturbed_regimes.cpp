@@ -336,11 +336,19 @@ KindBorder kind_border(DisturbedMotion before, DisturbedMotion after) {
                        [](double x, double y) { return std::abs(y - x) <= narrow * y; });
     const double omega = (a + b) / 2;
     if (b - a <= narrow * b) {
-      const double beyond = before.moves ? narrow : just_released;
-      const double until = before.moves ? just_released : narrow;
-      return {omega, RegimeEnd::release,
-              disturbed_motion(at_speed(before.machine, omega * (1 - until))),
-              disturbed_motion(at_speed(before.machine, omega * (1 + beyond)))};
+      const auto beside = [&](double by) {
+        return disturbed_motion(at_speed(still.machine, omega * (1 + by)));
+      };
+      const double away = before.moves ? -1 : 1;  // where the carrier moves
+      DisturbedMotion moving = beside(away * just_released);
+      // Next to the border the motion may be so slow that no impact counts.
+      for (double by = just_released / 8; by > 1e-9 && moving.most > 0; by /= 8) {
+        DisturbedMotion nearer = beside(away * by);
+        if (nearer.settled && nearer.moves && nearer.most == 0) moving = std::move(nearer);
+      }
+      DisturbedMotion held = beside(-away * narrow);
+      if (before.moves) std::swap(moving, held);
+      return {omega, RegimeEnd::release, std::move(held), std::move(moving)};
     }
   }
   while (after.omega() - before.omega() > blurred * after.omega()) {

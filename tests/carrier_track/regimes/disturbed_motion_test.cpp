@@ -153,6 +153,11 @@ TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrier) {
   EXPECT_TRUE(!motion.settled || motion.most > 0);
 }
 
+TEST(DisturbedMotion, RemembersHowHighItIsWithoutAnUpperWall) {
+  // It comes back to the wall once in a hundred turns: no turn depends on its phase alone.
+  EXPECT_FALSE(disturbed_motion(at_speed(strange_machine(102), 3)).settled);
+}
+
 TEST(DisturbedMotion, ForgetsItsStartAtEveryPhase) {
   // After two turns one phase in fifty still tells two starts apart.
   const Scene machine = scene_of(find_case("C9"), default_machine());

@@ -96,7 +96,7 @@ TEST(Regimes, OfAMirrorImageHaveBordersOfPairs) {
 }
 
 /// Where a carrier is just released it hardly leaves its wall, and no impact counts yet.
-TEST(Regimes, NextToTheReleaseAreSilent) {
+Scene released_softly() {
   Scene machine;
   machine.mass = 0.012;
   machine.wall_upper = machine.start_position = 0.035;
@@ -107,6 +107,11 @@ TEST(Regimes, NextToTheReleaseAreSilent) {
   machine.pull = -0.01;
   machine.centrifugal_mass_radius = 0.14;
   machine.counting_limit = 3e-4;
+  return machine;
+}
+
+TEST(Regimes, NextToTheReleaseAreSilent) {
+  const Scene machine = released_softly();
   const auto regimes = regimes_of(machine, {6, 6.6});
   ASSERT_EQ(regimes.size(), 3U);
   const Regime& next = regimes[1];
@@ -119,6 +124,21 @@ TEST(Regimes, NextToTheReleaseAreSilent) {
     EXPECT_EQ(collisions_in_the_long_run(machine, omega, 100, 20), 0);
   }
   EXPECT_EQ(collisions_in_the_long_run(machine, next.to * (1 + 1e-7), 100, 20), 1);
+}
+
+TEST(Regimes, NextToTheReleaseUnderADisturbanceAreSilent) {
+  Scene machine = released_softly();
+  machine.disturbance = 1e-3;
+  machine.disturbance_frequency = 0.7;
+  const auto regimes = regimes_of(machine, {6, 6.6});
+  ASSERT_GT(regimes.size(), 2U);
+  const Regime& next = regimes[1];
+  EXPECT_EQ(regimes[0].ends_by, RegimeEnd::release);
+  EXPECT_TRUE(next.moves);
+  EXPECT_EQ(next.most_per_turn, 0);
+  EXPECT_LT(next.to / next.from - 1, 1e-3);
+  EXPECT_TRUE(next.certain);
+  EXPECT_GT(regimes[2].most_per_turn, 0);
 }
 
 TEST(Regimes, ThatBeginOrEndAtABorderHaveNoOtherBeforeOrBeyond) {

@@ -40,9 +40,6 @@ Integrator adaptive(const char* name, const char* version, const char* title, Ma
 /// rest the body sticks while friction and wall hold it, checked at the start of every step. It
 /// rests on a wall, unless the force leads away, once the rebound is at most slowest_rebound or the
 /// change of velocity by the force in a step, so that its flight would end within two steps.
-/// NOTE: a step that ends behind the wall makes the approach faster, by about half of that change
-/// of velocity. With e near 1 the Zeno sequences of an explicit method can therefore chatter
-/// forever. This is a known failure of the common way, and no rule here hides it.
 ///
 /// Through compliant walls it goes as a method with error control does.
 Integrator stepped(const char* name, const char* title, Rule rule);

@@ -46,8 +46,8 @@ Integrator stepped(const char* name, const char* title, Rule rule);
 
 /// Makes a spring and a damper (Kelvin-Voigt, which pulls at a body that leaves the wall) of each
 /// hard wall, by the share of the clearance that the fastest body gets deep. That share of its
-/// speed is where friction is tanh(1) of its limit, and its square the relative tolerance of the
-/// method.
+/// speed is where friction is tanh(1) of its limit, and a tenth of it the relative tolerance of the
+/// method: a tighter one is lost in the rounding of a body at rest in a stiff spring.
 Integrator with_springs(const char* name, const char* version, const char* title, MakeMethod make);
 
 /// `integrator` with its processor time measured, and with what it throws as a failure.

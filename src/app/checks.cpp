@@ -108,7 +108,7 @@ namespace fs = std::filesystem;
 using namespace studies::simulators;
 
 struct SimulatorsOptions {
-  int scenes = studies::simulators::Plan().scenes;
+  std::optional<int> scenes;
   int seed = 1;
   std::string tools = "all";           ///< names or patterns, separated by commas; or none
   std::vector<std::string> own_tools;  ///< NAME=COMMAND each
@@ -160,8 +160,13 @@ studies::simulators::Level level_named(const std::string& name) {
 
 /// Throws InputError for an unknown tool or level.
 studies::simulators::Plan plan_of(const SimulatorsOptions& options, const StudyOptions& study) {
-  studies::simulators::Plan plan{options.seed,          options.scenes,         {},
-                                 chosen_tools(options), options.tools != "all", study.out};
+  studies::simulators::Plan plan;
+  plan.seed = options.seed;
+  if (options.scenes) plan.scenes = plan.tool_scenes = *options.scenes;
+  plan.levels.clear();
+  plan.tools = chosen_tools(options);
+  plan.needs_all = options.tools != "all";
+  plan.folder = study.out;
   for (const std::string& name : split_patterns(options.levels)) {
     plan.levels.push_back(level_named(name));
   }
@@ -207,7 +212,8 @@ void add_simulators(CommandLine& line) {
                "  ricochet simulators --tools none --tool mine=./my-simulator --levels usual\n"
                "  ricochet simulators --tools 'scipy*,ode' --install-tools");
   const auto options = std::make_shared<SimulatorsOptions>();
-  add_value(command, "--scenes", options->scenes, "Number of scenes");
+  add_value(command, "--scenes", options->scenes,
+            "Number of scenes, not 220 for ricochet and its methods and 44 for tools");
   add_value(command, "--seed", options->seed, "Seed of the scenes");
   add_value(command, "--tools", options->tools,
             "Names or patterns such as 'scipy*', all that are installed, or none");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/check/walls.h"
@@ -10,7 +11,8 @@ namespace {
 /// Classical Runge-Kutta; its two middle stages need one evaluation of the applied forces, which
 /// depend only on time. Friction keeps the sign that it has at the start of the step. A body under
 /// friction whose velocity has changed sign by the end is at rest there: with the wrong sign it
-/// would gain energy.
+/// would gain energy. Behind a hard wall the body has the velocity with which it reached the wall:
+/// what the force adds beyond, half a step's on average, would feed its rebounds for ever.
 State runge_kutta_step(const System& system, double time, const State& state, double length) {
   const double half = 0.5 * length;
   const double friction = system.direction * system.friction;
@@ -27,6 +29,13 @@ State runge_kutta_step(const System& system, double time, const State& state, do
   State next{state.position + length / 6 * (v1 + 2 * v2 + 2 * v3 + v4),
              v1 + length / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
   if (system.friction > 0 && system.direction * next.velocity < 0) next.velocity = 0;
+  const int behind = (next.position > system.upper) - (next.position < system.lower);
+  if (behind != 0 && !system.wall && behind * next.velocity > 0) {
+    const double depth = behind > 0 ? next.position - system.upper : system.lower - next.position;
+    const double press = behind * system.acceleration(time + length, next);
+    const double square = next.velocity * next.velocity - 2 * press * depth;
+    next.velocity = behind * std::sqrt(std::max(square, 0.0));
+  }
   return next;
 }
 

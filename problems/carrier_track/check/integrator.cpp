@@ -79,6 +79,14 @@ std::vector<Integrator> all_integrators() {
   };
 }
 
+std::vector<std::string> methods_not_built() {
+#ifdef RICOCHET_HAS_SUNDIALS
+  return {};
+#else
+  return {"cvode-adams", "cvode-bdf"};
+#endif
+}
+
 int collisions(const Scene& scene, const Outcome& outcome) {
   return static_cast<int>(std::ranges::count_if(
       outcome.impacts, [&](const Impact& impact) { return impact.speed > scene.counting_limit; }));

@@ -60,6 +60,9 @@ inline constexpr const char* by_depth = "depth in a wall / clearance";
 /// scene without friction.
 std::vector<Integrator> all_integrators();
 
+/// The names of those that this build lacks, because it was made without SUNDIALS.
+std::vector<std::string> methods_not_built();
+
 /// A rebound slower than this [m/s] against a pressing force ends a Zeno sequence for every method
 /// here except the event-driven one, which sums it in closed form (resting_speed). Under the forces
 /// of these scenes it rises 1e-12 m, about the rounding of a position in a track.

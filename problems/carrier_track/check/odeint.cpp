@@ -66,7 +66,8 @@ Integrator odeint_rosenbrock4() {
 
 Integrator penalty() {
   return with_springs("penalty", "Boost " BOOST_LIB_VERSION,
-                      "A spring and a damper for each wall, by Boost.Odeint", dopri5);
+                      "A spring and a damper for each wall, by Boost.Odeint's Rosenbrock",
+                      rosenbrock);
 }
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

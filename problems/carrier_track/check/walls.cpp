@@ -323,7 +323,7 @@ Outcome through_springs(const Scene& scene, const MakeMethod& make, double depth
   wall.viscous = wall.pulls = true;
   wall.lower_damping = 2 * frequency * damping_of(lower_restitution(scene));
   wall.upper_damping = 2 * frequency * damping_of(upper_restitution(scene));
-  return MotionThroughWalls(scene, system, gap, make, depth * depth).run(10 * most_steps);
+  return MotionThroughWalls(scene, system, gap, make, 0.1 * depth).run(most_steps);
 }
 
 bool compliant(const Scene& scene) {

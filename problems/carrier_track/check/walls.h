@@ -40,17 +40,14 @@ Integrator adaptive(const char* name, const char* version, const char* title, Ma
 /// rest the body sticks while friction and wall hold it, checked at the start of every step. It
 /// rests on a wall, unless the force leads away, once the rebound is at most slowest_rebound or the
 /// change of velocity by the force in a step, so that its flight would end within two steps.
-/// NOTE: a step that ends behind the wall makes the approach faster, by about half of that change
-/// of velocity. With e near 1 the Zeno sequences of an explicit method can therefore chatter
-/// forever. This is a known failure of the common way, and no rule here hides it.
 ///
 /// Through compliant walls it goes as a method with error control does.
 Integrator stepped(const char* name, const char* title, Rule rule);
 
 /// Makes a spring and a damper (Kelvin-Voigt, which pulls at a body that leaves the wall) of each
 /// hard wall, by the share of the clearance that the fastest body gets deep. That share of its
-/// speed is where friction is tanh(1) of its limit, and its square the relative tolerance of the
-/// method.
+/// speed is where friction is tanh(1) of its limit, and a tenth of it the relative tolerance of the
+/// method: a tighter one is lost in the rounding of a body at rest in a stiff spring.
 Integrator with_springs(const char* name, const char* version, const char* title, MakeMethod make);
 
 /// `integrator` with its processor time measured, and with what it throws as a failure.

@@ -22,7 +22,7 @@ using report::Series;
 
 constexpr std::size_t most_shrunk = 3;  // scenes of a simulator
 constexpr int most_asks = 200;          // of a simulator, to shrink a scene
-constexpr std::chrono::seconds longest_shrinking{30};
+constexpr std::chrono::seconds longest_shrinking{10};
 
 /// A simulator at a level, with its scores scene by scene.
 struct Measured {
@@ -75,6 +75,8 @@ void draw(Results& results) {
 /// ricochet's own, and the tools that can be started. The others are noted.
 std::vector<Simulator> simulators_of(Results& results) {
   std::vector<Simulator> simulators = own_simulators();
+  for (const std::string& name : methods_not_built())
+    results.missing.add(name, "ricochet was built without SUNDIALS");
   for (const Tool& tool : results.plan.tools) {
     const FoundTool found = found_tool(tool, results.plan.folder / "drivers");
     if (found.reason.empty()) {
@@ -90,8 +92,9 @@ std::vector<Simulator> simulators_of(Results& results) {
 }
 
 std::vector<Answer> answers_of(const Results& results, const Simulator& simulator, Level level) {
-  Progress progress(fmt::format("{}, {}", simulator.tool.name, name_of(level)),
-                    results.plan.scenes);
+  const int count = simulator.own ? results.plan.scenes : results.plan.tool_scenes;
+  const std::span scenes(results.scenes.data(), static_cast<std::size_t>(count));
+  Progress progress(fmt::format("{}, {}", simulator.tool.name, name_of(level)), count);
   const Ask ask = [&, asked = simulator.open(level)](const ScoredScene& scored) {
     Answer answer = asked(scored);
     progress.advance(1);
@@ -99,15 +102,18 @@ std::vector<Answer> answers_of(const Results& results, const Simulator& simulato
   };
   if (simulator.own) {
     std::vector<Answer> answers;
-    for (const ScoredScene& scored : results.scenes) answers.push_back(ask(scored));
+    for (const ScoredScene& scored : scenes) answers.push_back(ask(scored));
     return answers;
   }
-  const report::Json origin = {{"version", suite_version},          {"seed", results.plan.seed},
-                               {"tool", simulator.tool.name},       {"command", simulator.tool.run},
-                               {"tool_version", simulator.version}, {"level", name_of(level)}};
+  const report::Json origin = {{"version", suite_version},
+                               {"seed", results.plan.seed},
+                               {"tool", simulator.tool.name},
+                               {"command", simulator.tool.run},
+                               {"tool_version", simulator.version},
+                               {"level", name_of(level)},
+                               {"driver", driver_hash(simulator.tool)}};
   const auto folder = results.plan.folder / "answers" / name_of(level);
-  return kept_answers(folder / (simulator.tool.name + ".jsonl"), origin.dump(), results.scenes,
-                      ask);
+  return kept_answers(folder / (simulator.tool.name + ".jsonl"), origin.dump(), scenes, ask);
 }
 
 Measured measured_by(const Results& results, const Simulator& simulator, Level level) {
@@ -195,7 +201,10 @@ void measure(Results& results) {
   const AtInterruption kept([] {}, fmt::format("answers are kept in {}: the same command goes on",
                                                (results.plan.folder / "answers").string()));
   for (const Simulator& simulator : simulators) {
+    const auto& settings = simulator.tool.levels;
+    const bool has_settings = !simulator.own || settings.front() != settings.back();
     for (const Level level : results.plan.levels) {
+      if (!has_settings && level != results.shown) continue;
       try {
         results.measured.push_back(measured_by(results, simulator, level));
         if (level == results.shown) add_smallest(results, results.measured.back(), simulator);
@@ -262,7 +271,7 @@ Table simulators_table(const std::vector<const Measured*>& shown) {
   return table;
 }
 
-/// Every simulator at every level.
+/// Every simulator at every level that it has.
 Table levels_table(const Results& results) {
   Table table{"levels",
               {{"simulator"},
@@ -274,8 +283,6 @@ Table levels_table(const Results& results) {
                {"wrong_speed", "", ".1f"},
                {"time_error", "time error", ".1e"},
                {"penetration", "penetration [m]", ".1e"},
-               {"energy", "energy gained, median", "+.0e"},
-               {"most_energy", "energy gained, most", "+.0e"},
                {"microseconds", "time [us]", ".3g"},
                {"cannot"},
                {"errors"},
@@ -285,8 +292,8 @@ Table levels_table(const Results& results) {
     table.add(m.tool.name, name_of(m.level), m.tool.levels[static_cast<std::size_t>(m.level)],
               tally.per_thousand(tally.missed), tally.per_thousand(tally.invented),
               tally.per_thousand(tally.late), tally.per_thousand(tally.wrong_speed),
-              tally.time_error, tally.penetration, tally.energy_gained, tally.most_energy_gained,
-              microseconds_of(tally), tally.cannot, tally.errors, tally.never);
+              tally.time_error, tally.penetration, microseconds_of(tally), tally.cannot,
+              tally.errors, tally.never);
   }
   return table;
 }
@@ -412,6 +419,7 @@ void add_losses(report::Results& all, const Plan& plan) {
   all.set("seed", plan.seed);
   all.set("scenes", results.scenes.size());
   all.set("impacts", results.impacts);
+  all.set("tool-scenes", plan.tool_scenes);
   all.set("level", name_of(results.shown));
   all.set("lost", shown.front()->tally.wrong());
   all.set("rivals", std::ranges::count_if(shown, [](const Measured* m) { return is_rival(*m); }));

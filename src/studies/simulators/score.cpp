@@ -15,14 +15,6 @@ constexpr double wrong_speed = 0.01;    // relative
 /// Of more impacts than this those beyond have no partners: a tool that rattles without end.
 constexpr std::size_t most_found = 20'000;
 
-/// The sum of the squares of the speeds that count.
-template <class Impacts>
-double energy_of(const Impacts& impacts, double slowest) {
-  double sum = 0;
-  for (const auto& i : impacts) sum += i.speed > slowest ? i.speed * i.speed : 0;
-  return sum;
-}
-
 }  // namespace
 
 Score score_of(const Answer& answer, const ScoredScene& scored) {
@@ -70,7 +62,6 @@ Score score_of(const Answer& answer, const ScoredScene& scored) {
     }
   }
   score.penetration = answer.deepest;
-  score.energy_gained = energy_of(found, slowest) / energy_of(true_ones, slowest) - 1;
   score.seconds_per_impact = answer.seconds / score.impacts;
   return score;
 }
@@ -107,14 +98,9 @@ Tally tally_of(const std::vector<Score>& scores) {
       if (score.*member) there.push_back(*(score.*member));
     return there;
   };
-  const auto largest = [](const std::vector<double>& values) {
-    return values.empty() ? std::nullopt : std::optional(std::ranges::max(values));
-  };
-  const std::vector<double> gained = numbers(&Score::energy_gained);
   tally.time_error = median_of(numbers(&Score::time_error));
-  tally.penetration = largest(numbers(&Score::penetration));
-  tally.energy_gained = median_of(gained);
-  tally.most_energy_gained = largest(gained);
+  for (const double depth : numbers(&Score::penetration))
+    tally.penetration = std::max(tally.penetration.value_or(0), depth);
   tally.seconds_per_impact = median_of(numbers(&Score::seconds_per_impact));
   return tally;
 }

@@ -16,6 +16,7 @@ Study simulators_study(const simulators::Plan& plan) {
   const auto compute = [plan](bool quick) {
     simulators::Plan chosen = plan;
     if (quick) chosen.scenes = std::min(chosen.scenes, simulators::quick_scenes);
+    chosen.tool_scenes = std::min(chosen.tool_scenes, chosen.scenes);
     report::Results results;
     simulators::add_laws(results, quick ? 24 : 12);
     simulators::add_models(results, quick ? 1 : 0.1);

@@ -57,7 +57,8 @@ void install(const std::vector<Tool>& tools);
 
 struct Plan {
   int seed = 1;
-  int scenes = 220;  ///< five of each kind and difficulty
+  int scenes = 220;      ///< five of each kind and difficulty
+  int tool_scenes = 44;  ///< the first of them, which tools answer, too: one of each
   std::vector<Level> levels = {all_levels.begin(), all_levels.end()};
   std::vector<Tool> tools = {};       ///< beside ricochet's own levels and methods
   bool needs_all = false;             ///< a tool that cannot be started is an error
@@ -80,7 +81,7 @@ namespace ricochet::studies {
 Study simulators_study(const simulators::Plan& plan);
 
 namespace simulators {
-inline constexpr int quick_scenes = 44;  ///< one of each kind and difficulty
+inline constexpr int quick_scenes = 44;
 }
 
 }  // namespace ricochet::studies

@@ -72,9 +72,6 @@ RICOCHET_FIELDS(TestScene, version, scene, kind, difficulty, mass, lower, upper,
 /// profile. Name, kind and difficulty are left empty; `slowest` is the counting limit.
 TestScene test_scene(const Scene& machine);
 
-/// The applied force [N] at a time [s].
-double force_at(const TestScene& scene, double time);
-
 /// What a tool may choose steps and tolerances by: it is sent with the scene.
 struct Scales {
   double length = 0;  ///< [m], the clearance; without an upper wall the start's height, or 1 mm
@@ -213,10 +210,7 @@ struct Score {
   /// Largest difference in time between partners, in mean times between impacts; of all partners
   /// until the first impact that is missed or invented. Nothing without partners.
   std::optional<double> time_error = {};
-  std::optional<double> penetration = {};  ///< deepest [m]
-  /// The kinetic energy with which the tool's impacts that count arrive, over that of the true
-  /// ones, less 1: what its walls and integration have given (> 0) or taken in excess.
-  std::optional<double> energy_gained = {};
+  std::optional<double> penetration = {};         ///< deepest [m]
   std::optional<double> seconds_per_impact = {};  ///< [s], over the true impacts that count
 
   int wrong() const { return missed + invented; }
@@ -228,10 +222,9 @@ Score score_of(const Answer& answer, const ScoredScene& scored);
 struct Tally {
   int scenes = 0, answered = 0, cannot = 0, errors = 0, never = 0;
   int impacts = 0, missed = 0, invented = 0, late = 0, wrong_speed = 0;
-  std::optional<double> time_error;   ///< median over scenes, in mean times between impacts
-  std::optional<double> penetration;  ///< [m], largest
-  std::optional<double> energy_gained, most_energy_gained;  ///< median and largest over scenes
-  std::optional<double> seconds_per_impact;                 ///< [s], median over scenes
+  std::optional<double> time_error;          ///< median over scenes, in mean times between impacts
+  std::optional<double> penetration;         ///< [m], largest
+  std::optional<double> seconds_per_impact;  ///< [s], median over scenes
 
   std::optional<double> per_thousand(int number) const;
   std::optional<double> wrong() const { return per_thousand(missed + invented); }
@@ -277,10 +270,14 @@ Simulator simulator_of(const FoundTool& tool, const std::filesystem::path& logs)
 /// against which the body is pressed, or, where other forces act in y, without walls there.
 Scene planar_machine(const Scene& machine);
 
+/// A hash of what a tool's driver is made of: its source, what drivers share (headers, `tool.*` and
+/// `tool_*` beside it), and the command that compiles it.
+std::string driver_hash(const Tool& tool);
+
 /// How long a tool is waited for.
 struct TimeLimits {
   std::chrono::seconds start{60};  ///< for the first answer of a process: Python imports
-  std::chrono::seconds scene{10};
+  std::chrono::seconds scene{5};
 };
 
 /// A tool that is asked scene by scene. It runs until it fails: then it is killed, and started
@@ -315,7 +312,7 @@ class ToolSession {
 /// file whose first line is not `origin` is replaced, and a last line that is cut off is asked
 /// for again.
 std::vector<Answer> kept_answers(const std::filesystem::path& file, const std::string& origin,
-                                 const std::vector<ScoredScene>& scenes, const Ask& ask);
+                                 std::span<const ScoredScene> scenes, const Ask& ask);
 
 // The other questions of the study. Each adds its values, tables and charts.
 

@@ -45,18 +45,6 @@ TestScene test_scene(const Scene& machine) {
   return scene;
 }
 
-double force_at(const TestScene& scene, double time) {
-  const auto next = std::upper_bound(scene.force.begin(), scene.force.end(), time,
-                                     [](double t, const ForceSegment& s) { return t < s.from; });
-  const ForceSegment& segment = *(next - 1);
-  double sum = 0;
-  for (const ForceTerm& term : segment.terms) {
-    const double u = time - segment.from;
-    sum += polynomial(term.amplitude, u) * std::cos(polynomial(term.phase, u));
-  }
-  return sum;
-}
-
 Scales scales_of(const TestScene& scene) {
   Scales scales;
   double fastest = 1e-9;  // [rad/s]

@@ -109,18 +109,25 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A hash of what a driver is compiled from: its source, the headers beside it, and the command.
-std::string hash_of(const Tool& tool) {
-  std::vector<fs::path> files = {tool.source};
-  for (const auto& entry : fs::directory_iterator(files.front().parent_path())) {
-    if (entry.path().extension() == ".h") files.push_back(entry.path());
-  }
-  std::sort(files.begin() + 1, files.end());
+}  // namespace
+
+std::string driver_hash(const Tool& tool) {
   FnvHash hash;
   hash.add(tool.compile);
+  if (tool.source.empty()) return fmt::format("{:016x}", hash.value());
+  std::vector<fs::path> files = {tool.source};
+  for (const auto& entry : fs::directory_iterator(files.front().parent_path())) {
+    const fs::path& file = entry.path();
+    const bool shared = file.extension() == ".h" || file.stem() == "tool" ||
+                        file.stem().string().starts_with("tool_");
+    if (shared) files.push_back(file);
+  }
+  std::sort(files.begin() + 1, files.end());
   for (const fs::path& file : files) hash.add(text_of(file));
   return fmt::format("{:016x}", hash.value());
 }
+
+namespace {
 
 /// What stands for the paths of a tool in its commands.
 struct Places {
@@ -143,7 +150,7 @@ Places places_of(const Tool& tool, const fs::path& folder) {
                 fs::absolute(tool.source).string(), ""};
   if (!tool.compile.empty()) {
     places.out =
-        fs::absolute(folder / (fs::path(tool.source).stem().string() + "-" + hash_of(tool)))
+        fs::absolute(folder / (fs::path(tool.source).stem().string() + "-" + driver_hash(tool)))
             .string();
   }
   return places;
@@ -317,7 +324,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<Answer> kept_answers(const std::filesystem::path& file, const std::string& origin,
-                                 const std::vector<ScoredScene>& scenes, const Ask& ask) {
+                                 std::span<const ScoredScene> scenes, const Ask& ask) {
   std::vector<std::string> lines = lines_of(file);
   if (lines.empty() || lines.front() != origin) lines = {origin};
   std::map<std::string, std::string> kept;

@@ -45,7 +45,6 @@ TEST(Score, OfARightAnswerHasNoFault) {
   EXPECT_EQ(score.impacts, 9);
   EXPECT_EQ(score.wrong() + score.late + score.wrong_speed, 0);
   EXPECT_EQ(score.time_error, 0);
-  EXPECT_EQ(score.energy_gained, 0);
   EXPECT_EQ(score.penetration, 0);
   EXPECT_DOUBLE_EQ(*score.seconds_per_impact, 0.5 / 9);
 }
@@ -70,7 +69,6 @@ TEST(Score, CountsEveryFaultOnce) {
   EXPECT_EQ(score.wrong_speed, 1);
   EXPECT_NEAR(*score.time_error, 0.02, 1e-12) << "up to the first that is lost or invented";
   EXPECT_EQ(score.penetration, 1e-6);
-  EXPECT_NEAR(*score.energy_gained, (7 + 1.02 * 1.02 + 0.04) / 9 - 1, 1e-12);
 }
 
 TEST(Score, DoesNotCountImpactsNextToTheLimit) {

@@ -30,8 +30,8 @@ esac; done
 TEST(Losses, CompareEverybody) {
   const ScratchFolder folder;
   report::Results all;
-  add_losses(all,
-             {1, 44, {Level::usual}, {quiet_tool(folder.path())}, false, folder.path() / "out"});
+  add_losses(
+      all, {1, 44, 44, {Level::usual}, {quiet_tool(folder.path())}, false, folder.path() / "out"});
   EXPECT_EQ(text_of(*all.value("lost")), "0");
   EXPECT_THAT(text_of(*all.value("losses-finding")), HasSubstr("the worst, "));
   const Table& table = *all.table("simulators");
@@ -51,6 +51,7 @@ TEST(Losses, CompareEverybody) {
   for (const report::Series& series : all.chart("speed-accuracy")->series)
     if (!series.pale) dots += series.samples.size();
   EXPECT_EQ(dots, table.rows.size());
+  EXPECT_EQ(all.table("levels")->rows.size(), table.rows.size());
   // One impact is enough to break it, and the scene is kept.
   const auto broken = all.table("smallest-scenes")->find([](const Row& row) {
     return row.text("tool") == "quiet";
@@ -62,14 +63,31 @@ TEST(Losses, CompareEverybody) {
   EXPECT_EQ(std::ranges::count(scenes, '\n'), 44);
 }
 
+TEST(Losses, NameTheMethodsThatThisBuildLacks) {
+  const ScratchFolder folder;
+  report::Results all;
+  add_losses(all, {1, 1, 1, {Level::loose}, {}, false, folder.path()});
+  for (const std::string name : {"cvode-adams", "cvode-bdf"}) {
+    const bool measured = all.table("simulators")
+                              ->find([&](const Row& row) { return row.text("simulator") == name; })
+                              .has_value();
+    const bool missing = all.table("missing")
+                             ->find([&](const Row& row) { return row.text("tool") == name; })
+                             .has_value();
+    EXPECT_NE(measured, missing) << name;
+  }
+}
+
 TEST(Losses, NameAToolThatDoesNotStart) {
   const ScratchFolder folder;
-  Plan plan{1, 3, {Level::usual}, {own_tool("gone=no-such-program-at-all")}, false, folder.path()};
+  Plan plan{
+      1, 3, 3, {Level::usual}, {own_tool("gone=no-such-program-at-all")}, false, folder.path()};
   const auto missing = [&plan] {
     report::Results all;
     add_losses(all, plan);
-    EXPECT_EQ(all.table("missing")->rows.size(), 1U);
-    return (*all.table("missing"))[0].text("reason");
+    const Table& table = *all.table("missing");
+    EXPECT_EQ(table.rows.size(), 1 + carrier_track::methods_not_built().size());
+    return table[table.rows.size() - 1].text("reason");
   };
   EXPECT_THAT(missing(), HasSubstr("no such program"));
   plan.tools[0].source = (folder.path() / "driver").string();

@@ -17,6 +17,17 @@ using namespace carrier_track;
 
 using testing::HasSubstr;
 
+/// The applied force [N] at a time [s].
+double force_at(const TestScene& scene, double time) {
+  const auto next = std::ranges::upper_bound(scene.force, time, {}, &ForceSegment::from);
+  const ForceSegment& segment = *(next - 1);
+  const double u = time - segment.from;
+  const auto at = [u](const auto& p) { return p[0] + u * (p[1] + u * p[2]); };
+  double sum = 0;
+  for (const ForceTerm& term : segment.terms) sum += at(term.amplitude) * std::cos(at(term.phase));
+  return sum;
+}
+
 template <class Forces>
 double force_of_ricochet(const Scene& machine, double time) {
   Forces forces(machine);

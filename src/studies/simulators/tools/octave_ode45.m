@@ -4,7 +4,7 @@ warning("off", "all");
 source(fullfile(fileparts(mfilename("fullpath")), "tool.m"));
 
 function [impacts, last] = simulate(m, level)
-  [tolerance, per_crossing, rest] = deal(10 ^ (-2 - 2 * level), [5 20 50](level), m.slowest / 4);
+  [tolerance, per_crossing, rest] = deal(10 ^ (-2 - 2 * level), [5 10 20](level), m.slowest / 4);
   [m.k, m.y, t, impacts] = deal(1, [m.position m.velocity], 0, {});
   [walls, bounce] = deal([m.lower m.upper], -[m.restitution_lower m.restitution_upper]);
   scale = m.scales;

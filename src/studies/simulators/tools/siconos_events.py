@@ -2,7 +2,7 @@
 
 import siconos.kernel as sk
 import tool
-from siconos_body import UNITS, Body, model
+from tool_siconos import UNITS, Body, model
 
 
 def simulate(in_metres, call):

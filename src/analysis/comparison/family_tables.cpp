@@ -30,22 +30,6 @@ constexpr std::size_t shown_results = 80;
 /// Entries that are compared problem by problem.
 constexpr std::size_t compared = 20;
 
-/// The share of targets reached [%] over the evaluations, from nothing on.
-Series curve_of(const Rating& rating, const std::string& label) {
-  Series curve{label, Mark::steps, {}};
-  for (const Reach& reach : rating.progress) {
-    if (curve.samples.empty()) curve.samples.push_back({reach.evaluations, 0});
-    auto& samples = curve.samples;
-    const std::size_t many = samples.size();
-    const double share = 100 * reach.share;
-    const bool level =
-        many > 2 && samples[many - 1].value == share && samples[many - 2].value == share;
-    if (level) samples.pop_back();  // its ends suffice
-    samples.push_back({reach.evaluations, share});
-  }
-  return curve;
-}
-
 std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::size_t problem) {
   for (const CellResult& result : comparison.results) {
     if (result.cell->problem == problem) return result.targets;
@@ -87,14 +71,14 @@ Chart runtime_ecdf(const std::string& family, std::int64_t budget,
   for (const Rating& rating : ratings) {
     const std::string name = entry(rating.solver, rating.formulation);
     if (first.size() < told) {
-      first.push_back(curve_of(rating, name));
+      first.push_back(runtimes_of(rating, name));
     } else if (drawn.contains(rating.solver)) {
       continue;
     } else if (rating.solver == paper_solver) {
-      paper.push_back(curve_of(rating, name + " (the paper's)"));
+      paper.push_back(runtimes_of(rating, name + " (the paper's)"));
       paper.back().dark = true;
     } else if (rest.size() < shown) {
-      rest.push_back(curve_of(rating, ""));
+      rest.push_back(runtimes_of(rating, ""));
       rest.back().pale = true;
     }
     drawn.insert(rating.solver);

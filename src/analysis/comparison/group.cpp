@@ -35,6 +35,21 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
   return ratings;
 }
 
+report::Series runtimes_of(const Rating& rating, std::string label) {
+  report::Series series{std::move(label), report::Mark::steps, {}};
+  auto& samples = series.samples;
+  for (const Reach& reach : rating.progress) {
+    if (samples.empty()) samples.push_back({reach.evaluations, 0});
+    const std::size_t many = samples.size();
+    const double share = 100 * reach.share;
+    const bool level =
+        many > 1 && samples[many - 1].value == share && samples[many - 2].value == share;
+    if (level) samples.pop_back();  // its ends suffice
+    samples.push_back({reach.evaluations, share});
+  }
+  return series;
+}
+
 std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<CellResult>& results,
                                    const std::vector<ReportedPart>& parts) {
   std::vector<RatedPart> all;

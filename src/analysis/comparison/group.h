@@ -6,6 +6,7 @@
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
+#include "src/report/chart.h"
 
 namespace ricochet::studies::comparison {
 
@@ -25,6 +26,10 @@ std::vector<Group> groups_of(const Comparison& comparison);
 /// For each group and each budget of the part, best first.
 using Ratings = std::vector<std::vector<std::vector<Rating>>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
+
+/// The ECDF of an entry's runtimes: the share of targets reached [%] over the evaluations for each
+/// variable, from nothing on, with a sample only where it rises and at its end.
+report::Series runtimes_of(const Rating& rating, std::string label);
 
 /// A part of the plan with its families, as the report names them, rated.
 struct RatedPart {

@@ -54,21 +54,6 @@ std::vector<const Rating*> told_ratings(const std::vector<Rating>& ratings) {
   return told;
 }
 
-report::Series runtimes_of(const Rating& rating, std::string label) {
-  report::Series series{std::move(label), report::Mark::steps, {}};
-  auto& samples = series.samples;
-  for (const Reach& reach : rating.progress) {
-    if (samples.empty()) samples.push_back({reach.evaluations, 0});
-    const std::size_t many = samples.size();
-    const double share = 100 * reach.share;
-    const bool level =
-        many > 1 && samples[many - 1].value == share && samples[many - 2].value == share;
-    if (level) samples.pop_back();  // its ends suffice
-    samples.push_back({reach.evaluations, share});
-  }
-  return series;
-}
-
 /// The ECDF of runtimes: the told entries in colour, others in grey.
 Chart runtime_chart(const std::string& family, const std::vector<Rating>& ratings,
                     std::int64_t budget) {

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/machine.h"
@@ -26,14 +25,16 @@ double square(double x) {
 }  // namespace
 
 CaseAppraisal appraise(const Parameterisation& fit, const Case& a_case, double step) {
-  const Scene scene = scene_of(a_case, fit.interpretation, fit.constants);
-  const CountAt count = [&](double omega) {
-    return static_cast<int>(
-        objective(scene_at(scene, fit.interpretation, fit.constants, omega), 0.0));
-  };
-  const bool in_lanes = fit.interpretation.transition == Transition::plain;
-  SpeedScan scan =
-      in_lanes ? scan_speeds(scene, step, fastest_speed) : scan_speeds(count, step, fastest_speed);
+  const CountAt count = [&](double omega) { return exact_counts(fit, a_case, {omega}).front(); };
+  const Interpretation& by = fit.interpretation;
+  SpeedScan scan{step, {}};
+  if (by.transition == Transition::plain && by.counted == Counted::from_start) {
+    scan = scan_speeds(scene_of(a_case, by, fit.constants), step, fastest_speed);
+  } else {
+    std::vector<double> speeds(static_cast<std::size_t>(std::lround(fastest_speed / step)));
+    for (std::size_t k = 0; k < speeds.size(); ++k) speeds[k] = scan.omega(k);
+    scan.counts = exact_counts(fit, a_case, speeds);
+  }
   Score result = score(count, a_case.claim, scan, 1);
   return {a_case, std::move(scan), std::move(result)};
 }

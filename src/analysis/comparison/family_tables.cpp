@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -19,10 +16,7 @@ namespace ricochet::studies::comparison {
 namespace {
 
 using report::Chart;
-using report::Mark;
 using report::Range;
-using report::Scale;
-using report::Series;
 
 /// A report lists every result of a group with at most this many.
 constexpr std::size_t shown_results = 80;
@@ -61,41 +55,6 @@ Table rating_table(std::string name, const std::vector<Rating>& ratings, std::si
               last.interval.upper, r.never, r.found);
   }
   return table;
-}
-
-Chart runtime_ecdf(const std::string& family, std::int64_t budget,
-                   const std::vector<Rating>& ratings) {
-  constexpr std::size_t told = 5, shown = 6;  // more lines cannot be distinguished, or seen
-  std::vector<Series> first, paper, rest;
-  std::set<std::string> drawn;
-  for (const Rating& rating : ratings) {
-    const std::string name = entry(rating.solver, rating.formulation);
-    if (first.size() < told) {
-      first.push_back(runtimes_of(rating, name));
-    } else if (drawn.contains(rating.solver)) {
-      continue;
-    } else if (rating.solver == paper_solver) {
-      paper.push_back(runtimes_of(rating, name + " (the paper's)"));
-      paper.back().dark = true;
-    } else if (rest.size() < shown) {
-      rest.push_back(runtimes_of(rating, ""));
-      rest.back().pale = true;
-    }
-    drawn.insert(rating.solver);
-  }
-  Chart chart{.name = fmt::format("ecdf-{}", budget),
-              .title = fmt::format("{}: {}, {} reaches {:.0f} % of the targets in {} evaluations a "
-                                   "variable",
-                                   family, ratings.front().solver, ratings.front().formulation,
-                                   100 * ratings.front().progress.back().share, budget),
-              .x = {"evaluations for each variable", Scale::logarithmic},
-              .y = {"targets reached [%]", Scale::linear, Range{0, 100}},
-              .width = 720,
-              .height = 380};
-  for (auto* series : {&rest, &first, &paper}) {
-    chart.series.insert(chart.series.end(), series->begin(), series->end());
-  }
-  return chart;
 }
 
 Chart solved_map(const RatedPart& part, std::size_t number) {

@@ -27,9 +27,9 @@ std::vector<Group> groups_of(const Comparison& comparison);
 using Ratings = std::vector<std::vector<std::vector<Rating>>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
 
-/// The ECDF of an entry's runtimes: the share of targets reached [%] over the evaluations for each
-/// variable, from nothing on, with a sample only where it rises and at its end.
-report::Series runtimes_of(const Rating& rating, std::string label);
+/// The ECDF of runtimes of the best five entries, the paper's algorithm and, grey, other solvers.
+report::Chart runtime_ecdf(const std::string& family, std::int64_t budget,
+                           const std::vector<Rating>& ratings);
 
 /// A part of the plan with its families, as the report names them, rated.
 struct RatedPart {

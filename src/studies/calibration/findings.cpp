@@ -370,30 +370,11 @@ std::optional<std::string> other_fit_of(const Results& results) {
       percent(usual.appraisal.threshold_error));
 }
 
-/// Returns true if all searches rank two parameterisations alike.
-bool have_one_order(const Convergence& a, const Convergence& b) {
-  int first = 0, second = 0;
-  for (std::size_t s = 0; s < a.fits.size(); ++s) {
-    first += a.fits[s].loss < b.fits[s].loss ? 1 : 0;
-    second += b.fits[s].loss < a.fits[s].loss ? 1 : 0;
-  }
-  return first == 0 || second == 0;
-}
-
 std::optional<std::string> agreement_of(const std::vector<Convergence>& all) {
   if (all.empty()) return {};
-  int pairs = 0, ordered = 0;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = a + 1; b < all.size(); ++b) {
-      ++pairs;
-      ordered += have_one_order(all[a], all[b]) ? 1 : 0;
-    }
-  }
-  return fmt::format(
-      "The {} searches end within 1 % of the best of them in {} of {} rows; {} of {} pairs of rows "
-      "have the same order in all searches.",
-      all.front().fits.size(), std::ranges::count_if(all, &Convergence::agrees), all.size(),
-      ordered, pairs);
+  return fmt::format("The {} searches end within 1 % of the best of them in {} of {} rows.",
+                     all.front().fits.size(), std::ranges::count_if(all, &Convergence::agrees),
+                     all.size());
 }
 
 std::optional<std::string> closest_of(const std::vector<RankedFit>& interpretations) {

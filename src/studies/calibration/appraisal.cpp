@@ -90,28 +90,6 @@ Appraisal appraise(const Parameterisation& fit, double step) {
 
 namespace {
 
-constexpr double change = 0.02;
-
-/// The slope of ln(threshold); see CaseSensitivity.
-std::optional<double> slope_of(const Parameterisation& fit, const Case& c, Unknown open,
-                               double step) {
-  const auto i = static_cast<std::size_t>(open);
-  const UnknownParameter& bounds = unknown_parameters()[i];
-  std::array<double, 2> thresholds{};
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const double by = side == 0 ? -change : change;
-    Parameterisation changed = fit;
-    double& x = changed.constants[i];
-    x = bounds.logarithmic
-            ? x * std::exp(by)
-            : std::clamp(x + by * (bounds.upper - bounds.lower), bounds.lower, bounds.upper);
-    const auto threshold = appraise(changed, c, step).score.threshold;
-    if (!threshold) return std::nullopt;
-    thresholds[side] = *threshold;
-  }
-  return std::log(thresholds[1] / thresholds[0]) / (2 * change);
-}
-
 /// One side of a profile: the places of the parameter within its bounds that are tried.
 struct Side {
   std::size_t which;   ///< of the free parameters
@@ -122,17 +100,6 @@ struct Side {
 };
 
 }  // namespace
-
-std::vector<CaseSensitivity> sensitivities(const Parameterisation& fit, double step) {
-  std::vector<CaseSensitivity> result;
-  for (const Case& c : all_cases()) {
-    if (!c.claim.threshold) continue;
-    CaseSensitivity& row = result.emplace_back();
-    row.case_id = c.id;
-    for (const Unknown open : fit.free) row.slopes.push_back(slope_of(fit, c, open, step));
-  }
-  return result;
-}
 
 std::vector<Profile> profiles(const Fit& fit, const Search& search, Searches& searches) {
   const Vector centre = point_of(fit);

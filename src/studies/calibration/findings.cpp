@@ -216,24 +216,6 @@ Table constants_of(const Results& results) {
   return table;
 }
 
-/// Slopes of the thresholds, see CaseSensitivity, a row for each free constant.
-Chart sensitivity_chart(const Results& results) {
-  const std::vector<Unknown>& free = results.choice().fit.free;
-  Chart chart = chart_of("sensitivity", "case", "constant");
-  chart.title = "What each fitted constant moves";
-  chart.height = 120 + 32 * static_cast<int>(free.size());
-  for (const CaseSensitivity& row : results.sensitivities)
-    chart.x.categories.push_back(row.case_id);
-  report::HeatMap map{"change of ln(threshold) per change", {}};
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    chart.y.categories.push_back(words_of(free[i]));
-    auto& row = map.rows.emplace_back();
-    for (const CaseSensitivity& of_case : results.sensitivities) row.push_back(of_case.slopes[i]);
-  }
-  chart.heat_map = std::move(map);
-  return chart;
-}
-
 /// One interpretation with fewer and fewer free constants.
 Table frontier_of(const std::vector<RankedFit>& frontier) {
   Table table = table_of_fits("frontier", {{"constants"}, {"fixed", "fixed from here on"}});
@@ -439,7 +421,6 @@ report::Results findings_of(const Results& results) {
   found.add(interpretations_of(results.interpretations));
   found.add(answers_of(results.interpretations));
   found.add(left_out_chart(results.predictions));
-  found.add(sensitivity_chart(results));
   found.add(error_chart(results));
   return found;
 }

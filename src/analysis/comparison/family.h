@@ -15,10 +15,6 @@ namespace ricochet::studies::comparison {
 /// with its interval, never (problems solved in none of its runs).
 Table rating_table(std::string name, const std::vector<Rating>& ratings, std::size_t problems);
 
-/// The ECDF of runtimes of the best five entries, the paper's algorithm and, grey, other solvers.
-report::Chart runtime_ecdf(const std::string& family, std::int64_t budget,
-                           const std::vector<Rating>& ratings);
-
 /// Success rate by the returned points of the first entries on each problem of the group, with the
 /// largest budget.
 report::Chart solved_map(const RatedPart& part, std::size_t group);

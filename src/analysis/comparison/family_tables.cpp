@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -19,32 +16,13 @@ namespace ricochet::studies::comparison {
 namespace {
 
 using report::Chart;
-using report::Mark;
 using report::Range;
-using report::Scale;
-using report::Series;
 
 /// A report lists every result of a group with at most this many.
 constexpr std::size_t shown_results = 80;
 
 /// Entries that are compared problem by problem.
 constexpr std::size_t compared = 20;
-
-/// The share of targets reached [%] over the evaluations, from nothing on.
-Series curve_of(const Rating& rating, const std::string& label) {
-  Series curve{label, Mark::steps, {}};
-  for (const Reach& reach : rating.progress) {
-    if (curve.samples.empty()) curve.samples.push_back({reach.evaluations, 0});
-    auto& samples = curve.samples;
-    const std::size_t many = samples.size();
-    const double share = 100 * reach.share;
-    const bool level =
-        many > 2 && samples[many - 1].value == share && samples[many - 2].value == share;
-    if (level) samples.pop_back();  // its ends suffice
-    samples.push_back({reach.evaluations, share});
-  }
-  return curve;
-}
 
 std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::size_t problem) {
   for (const CellResult& result : comparison.results) {
@@ -77,41 +55,6 @@ Table rating_table(std::string name, const std::vector<Rating>& ratings, std::si
               last.interval.upper, r.never, r.found);
   }
   return table;
-}
-
-Chart runtime_ecdf(const std::string& family, std::int64_t budget,
-                   const std::vector<Rating>& ratings) {
-  constexpr std::size_t told = 5, shown = 6;  // more lines cannot be distinguished, or seen
-  std::vector<Series> first, paper, rest;
-  std::set<std::string> drawn;
-  for (const Rating& rating : ratings) {
-    const std::string name = entry(rating.solver, rating.formulation);
-    if (first.size() < told) {
-      first.push_back(curve_of(rating, name));
-    } else if (drawn.contains(rating.solver)) {
-      continue;
-    } else if (rating.solver == paper_solver) {
-      paper.push_back(curve_of(rating, name + " (the paper's)"));
-      paper.back().dark = true;
-    } else if (rest.size() < shown) {
-      rest.push_back(curve_of(rating, ""));
-      rest.back().pale = true;
-    }
-    drawn.insert(rating.solver);
-  }
-  Chart chart{.name = fmt::format("ecdf-{}", budget),
-              .title = fmt::format("{}: {}, {} reaches {:.0f} % of the targets in {} evaluations a "
-                                   "variable",
-                                   family, ratings.front().solver, ratings.front().formulation,
-                                   100 * ratings.front().progress.back().share, budget),
-              .x = {"evaluations for each variable", Scale::logarithmic},
-              .y = {"targets reached [%]", Scale::linear, Range{0, 100}},
-              .width = 720,
-              .height = 380};
-  for (auto* series : {&rest, &first, &paper}) {
-    chart.series.insert(chart.series.end(), series->begin(), series->end());
-  }
-  return chart;
 }
 
 Chart solved_map(const RatedPart& part, std::size_t number) {

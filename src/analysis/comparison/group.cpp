@@ -1,7 +1,12 @@
 #include "src/analysis/comparison/group.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 #include <utility>
+
+#include "src/analysis/comparison/solver_pages.h"
 
 namespace ricochet::studies::comparison {
 
@@ -33,6 +38,63 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
     }
   }
   return ratings;
+}
+
+namespace {
+
+/// The share of targets reached [%] over the evaluations, from nothing on, with a sample only where
+/// it rises and at its end.
+report::Series runtimes_of(const Rating& rating, std::string label) {
+  report::Series series{std::move(label), report::Mark::steps, {}};
+  auto& samples = series.samples;
+  for (const Reach& reach : rating.progress) {
+    if (samples.empty()) samples.push_back({reach.evaluations, 0});
+    const std::size_t many = samples.size();
+    const double share = 100 * reach.share;
+    const bool level =
+        many > 1 && samples[many - 1].value == share && samples[many - 2].value == share;
+    if (level) samples.pop_back();  // its ends suffice
+    samples.push_back({reach.evaluations, share});
+  }
+  return series;
+}
+
+}  // namespace
+
+report::Chart runtime_ecdf(const std::string& family, std::int64_t budget,
+                           const std::vector<Rating>& ratings) {
+  constexpr std::size_t told = 5, shown = 6;  // more lines cannot be distinguished, or seen
+  std::vector<report::Series> first, paper, rest;
+  std::set<std::string> drawn;
+  for (const Rating& rating : ratings) {
+    const std::string name = entry(rating.solver, rating.formulation);
+    if (first.size() < told) {
+      first.push_back(runtimes_of(rating, name));
+    } else if (drawn.contains(rating.solver)) {
+      continue;
+    } else if (rating.solver == paper_solver) {
+      paper.push_back(runtimes_of(rating, name + " (the paper's)"));
+      paper.back().dark = true;
+    } else if (rest.size() < shown) {
+      rest.push_back(runtimes_of(rating, ""));
+      rest.back().pale = true;
+    }
+    drawn.insert(rating.solver);
+  }
+  report::Chart chart{
+      .name = fmt::format("ecdf-{}", budget),
+      .title = fmt::format("{}: {}, {} reaches {:.0f} % of the targets in {} evaluations a "
+                           "variable",
+                           family, ratings.front().solver, ratings.front().formulation,
+                           100 * ratings.front().progress.back().share, budget),
+      .x = {"evaluations for each variable", report::Scale::logarithmic},
+      .y = {"targets reached [%]", report::Scale::linear, report::Range{0, 100}},
+      .width = 720,
+      .height = 380};
+  for (auto* series : {&rest, &first, &paper}) {
+    chart.series.insert(chart.series.end(), series->begin(), series->end());
+  }
+  return chart;
 }
 
 std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<CellResult>& results,

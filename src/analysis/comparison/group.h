@@ -6,6 +6,7 @@
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/rating.h"
 #include "src/analysis/results.h"
+#include "src/report/chart.h"
 
 namespace ricochet::studies::comparison {
 
@@ -25,6 +26,10 @@ std::vector<Group> groups_of(const Comparison& comparison);
 /// For each group and each budget of the part, best first.
 using Ratings = std::vector<std::vector<std::vector<Rating>>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
+
+/// The ECDF of runtimes of the best five entries, the paper's algorithm and, grey, other solvers.
+report::Chart runtime_ecdf(const std::string& family, std::int64_t budget,
+                           const std::vector<Rating>& ratings);
 
 /// A part of the plan with its families, as the report names them, rated.
 struct RatedPart {

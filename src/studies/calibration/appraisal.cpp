@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/machine.h"
@@ -26,14 +25,16 @@ double square(double x) {
 }  // namespace
 
 CaseAppraisal appraise(const Parameterisation& fit, const Case& a_case, double step) {
-  const Scene scene = scene_of(a_case, fit.interpretation, fit.constants);
-  const CountAt count = [&](double omega) {
-    return static_cast<int>(
-        objective(scene_at(scene, fit.interpretation, fit.constants, omega), 0.0));
-  };
-  const bool in_lanes = fit.interpretation.transition == Transition::plain;
-  SpeedScan scan =
-      in_lanes ? scan_speeds(scene, step, fastest_speed) : scan_speeds(count, step, fastest_speed);
+  const CountAt count = [&](double omega) { return exact_counts(fit, a_case, {omega}).front(); };
+  const Interpretation& by = fit.interpretation;
+  SpeedScan scan{step, {}};
+  if (by.transition == Transition::plain && by.counted == Counted::from_start) {
+    scan = scan_speeds(scene_of(a_case, by, fit.constants), step, fastest_speed);
+  } else {
+    std::vector<double> speeds(static_cast<std::size_t>(std::lround(fastest_speed / step)));
+    for (std::size_t k = 0; k < speeds.size(); ++k) speeds[k] = scan.omega(k);
+    scan.counts = exact_counts(fit, a_case, speeds);
+  }
   Score result = score(count, a_case.claim, scan, 1);
   return {a_case, std::move(scan), std::move(result)};
 }
@@ -89,28 +90,6 @@ Appraisal appraise(const Parameterisation& fit, double step) {
 
 namespace {
 
-constexpr double change = 0.02;
-
-/// The slope of ln(threshold); see CaseSensitivity.
-std::optional<double> slope_of(const Parameterisation& fit, const Case& c, Unknown open,
-                               double step) {
-  const auto i = static_cast<std::size_t>(open);
-  const UnknownParameter& bounds = unknown_parameters()[i];
-  std::array<double, 2> thresholds{};
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const double by = side == 0 ? -change : change;
-    Parameterisation changed = fit;
-    double& x = changed.constants[i];
-    x = bounds.logarithmic
-            ? x * std::exp(by)
-            : std::clamp(x + by * (bounds.upper - bounds.lower), bounds.lower, bounds.upper);
-    const auto threshold = appraise(changed, c, step).score.threshold;
-    if (!threshold) return std::nullopt;
-    thresholds[side] = *threshold;
-  }
-  return std::log(thresholds[1] / thresholds[0]) / (2 * change);
-}
-
 /// One side of a profile: the places of the parameter within its bounds that are tried.
 struct Side {
   std::size_t which;   ///< of the free parameters
@@ -121,17 +100,6 @@ struct Side {
 };
 
 }  // namespace
-
-std::vector<CaseSensitivity> sensitivities(const Parameterisation& fit, double step) {
-  std::vector<CaseSensitivity> result;
-  for (const Case& c : all_cases()) {
-    if (!c.claim.threshold) continue;
-    CaseSensitivity& row = result.emplace_back();
-    row.case_id = c.id;
-    for (const Unknown open : fit.free) row.slopes.push_back(slope_of(fit, c, open, step));
-  }
-  return result;
-}
 
 std::vector<Profile> profiles(const Fit& fit, const Search& search, Searches& searches) {
   const Vector centre = point_of(fit);

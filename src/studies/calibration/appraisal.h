@@ -51,19 +51,6 @@ Appraisal appraise(const carrier_track::Parameterisation& fit, double step);
 /// has more digits.
 double selection_criterion(double sum_of_squares, int errors, int constants);
 
-/// Sensitivity of a case's thresholds to the parameters.
-struct CaseSensitivity {
-  std::string case_id;
-  /// For each free parameter: d ln(threshold) / d ln(parameter), or per unit for a parameter whose
-  /// bounds are not logarithmic (an angle: per radian; others: per width of the bounds). Nothing if
-  /// a threshold is missing on either side.
-  std::vector<std::optional<double>> slopes;
-};
-
-/// Central differences over 2 % of the parameter, or of the width of its bounds, with thresholds
-/// from speeds `step` [rad/s] apart. C1..C10.
-std::vector<CaseSensitivity> sensitivities(const carrier_track::Parameterisation& fit, double step);
-
 /// Profile of the loss over a parameter: how far it can move, in steps that double, before the
 /// loss, with the other free parameters fitted again, has risen by one, i.e. by one tolerance of
 /// one part of one case.

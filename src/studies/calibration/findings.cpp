@@ -216,24 +216,6 @@ Table constants_of(const Results& results) {
   return table;
 }
 
-/// Slopes of the thresholds, see CaseSensitivity, a row for each free constant.
-Chart sensitivity_chart(const Results& results) {
-  const std::vector<Unknown>& free = results.choice().fit.free;
-  Chart chart = chart_of("sensitivity", "case", "constant");
-  chart.title = "What each fitted constant moves";
-  chart.height = 120 + 32 * static_cast<int>(free.size());
-  for (const CaseSensitivity& row : results.sensitivities)
-    chart.x.categories.push_back(row.case_id);
-  report::HeatMap map{"change of ln(threshold) per change", {}};
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    chart.y.categories.push_back(words_of(free[i]));
-    auto& row = map.rows.emplace_back();
-    for (const CaseSensitivity& of_case : results.sensitivities) row.push_back(of_case.slopes[i]);
-  }
-  chart.heat_map = std::move(map);
-  return chart;
-}
-
 /// One interpretation with fewer and fewer free constants.
 Table frontier_of(const std::vector<RankedFit>& frontier) {
   Table table = table_of_fits("frontier", {{"constants"}, {"fixed", "fixed from here on"}});
@@ -370,30 +352,11 @@ std::optional<std::string> other_fit_of(const Results& results) {
       percent(usual.appraisal.threshold_error));
 }
 
-/// Returns true if all searches rank two parameterisations alike.
-bool have_one_order(const Convergence& a, const Convergence& b) {
-  int first = 0, second = 0;
-  for (std::size_t s = 0; s < a.fits.size(); ++s) {
-    first += a.fits[s].loss < b.fits[s].loss ? 1 : 0;
-    second += b.fits[s].loss < a.fits[s].loss ? 1 : 0;
-  }
-  return first == 0 || second == 0;
-}
-
 std::optional<std::string> agreement_of(const std::vector<Convergence>& all) {
   if (all.empty()) return {};
-  int pairs = 0, ordered = 0;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = a + 1; b < all.size(); ++b) {
-      ++pairs;
-      ordered += have_one_order(all[a], all[b]) ? 1 : 0;
-    }
-  }
-  return fmt::format(
-      "The {} searches end within 1 % of the best of them in {} of {} rows; {} of {} pairs of rows "
-      "have the same order in all searches.",
-      all.front().fits.size(), std::ranges::count_if(all, &Convergence::agrees), all.size(),
-      ordered, pairs);
+  return fmt::format("The {} searches end within 1 % of the best of them in {} of {} rows.",
+                     all.front().fits.size(), std::ranges::count_if(all, &Convergence::agrees),
+                     all.size());
 }
 
 std::optional<std::string> closest_of(const std::vector<RankedFit>& interpretations) {
@@ -458,7 +421,6 @@ report::Results findings_of(const Results& results) {
   found.add(interpretations_of(results.interpretations));
   found.add(answers_of(results.interpretations));
   found.add(left_out_chart(results.predictions));
-  found.add(sensitivity_chart(results));
   found.add(error_chart(results));
   return found;
 }

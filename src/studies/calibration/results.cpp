@@ -232,7 +232,6 @@ Results calibrate(const Plan& plan, Searches& searches) {
   results.predictions =
       predictions(choice, with_evaluations(plan.search, plan.left_out_evaluations),
                   plan.left_out_searches, plan.step, searches);
-  results.sensitivities = sensitivities(choice, plan.step);
   results.profiles =
       profiles(choice, with_evaluations(plan.search, plan.profile_evaluations), searches);
   return results;

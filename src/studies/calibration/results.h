@@ -74,7 +74,6 @@ struct Results {
   std::vector<std::vector<RankedFit>> converged;
   RankedFit usual;  ///< the default interpretation, by the current loss
   std::vector<Prediction> predictions;
-  std::vector<CaseSensitivity> sensitivities;
   std::vector<Profile> profiles;
 
   /// Returns the fit with the lowest criterion among the converged ones if there are any, else

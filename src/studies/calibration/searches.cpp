@@ -51,13 +51,25 @@ struct Searches::Ongoing {
 
   void next(const Solver& its_solver, std::int64_t its_evaluations) {
     solver = &its_solver;
-    evaluations = std::max<std::int64_t>(1, its_evaluations / (is_dear() ? 60 : 1));
+    evaluations = std::max<std::int64_t>(1, its_evaluations / cost());
   }
 
-  bool is_dear() const { return fit.interpretation.recovery == Recovery::contact_speed; }
+  /// Approximate cost of an evaluation, as a multiple of that of most interpretations.
+  int cost() const {
+    if (fit.interpretation.recovery == Recovery::contact_speed) return 60;
+    switch (fit.interpretation.counted) {
+      case Counted::from_start:
+        return 1;
+      case Counted::later:
+        return 5;
+      case Counted::long_run:
+        return 20;
+    }
+    return 1;
+  }
 
   /// Approximate length of the run.
-  double length() const { return static_cast<double>(evaluations) * (is_dear() ? 100 : 1); }
+  double length() const { return static_cast<double>(evaluations) * cost(); }
 
   /// The problem's name does not tell where the search begins.
   std::string stored_name() const {

@@ -44,8 +44,8 @@ class Searches {
 
   /// Fits the free parameters of each start: the global solver has two thirds of the evaluations,
   /// the least squares a sixth, the local solver a sixth, each from the best point so far. The
-  /// losses of the starts have no effect. With Recovery::contact_speed it is a sixtieth of these
-  /// evaluations, of which each costs about 100 times as much.
+  /// losses of the starts have no effect. An interpretation whose evaluations are dearer has fewer
+  /// of them: a sixtieth with one contact speed, a twentieth in the long run, a fifth later.
   std::vector<Fit> fits(const std::vector<Fit>& starts, const Search& search);
 
   /// The same by the two local solvers, with half of the evaluations each.

@@ -327,22 +327,6 @@ Scene with_longer_window(Scene scene, double ratio) {
   return scene;
 }
 
-/// The formula of release_speed(), as far as it is one.
-std::string release_formula(const Scene& scene) {
-  const bool constant_pull = !scene.pull_rotates && scene.centrifugal == Centrifugal::projected;
-  if (!constant_pull || (scene.disturbance != 0 && scene.disturbance_frequency == 0)) {
-    return "the swing of the applied force is then as large as its steady part and friction";
-  }
-  std::string force = "friction normal_force";
-  if (scene.pull != 0) force += " + |pull|";
-  if (scene.disturbance != 0) force += " - |disturbance|";
-  const bool is_sum = scene.pull != 0 || scene.disturbance != 0;
-  return fmt::format("sqrt({} / {})", is_sum ? "(" + force + ")" : force,
-                     scene.slider_mass_radius == 0
-                         ? "centrifugal_mass_radius"
-                         : "|centrifugal_mass_radius - slider_mass_radius|");
-}
-
 }  // namespace
 
 std::string both_units(double omega) {
@@ -377,10 +361,9 @@ std::vector<std::string> notes_on(const Scene& scene, const std::optional<StartS
   }
   const std::optional<double> release = release_speed(scene);
   if (scene.friction * scene.normal_force > 0 && release != 0.0) {
-    notes.push_back(
-        release ? fmt::format("By hand: friction holds the carrier up to {}: {}.",
-                              both_units(*release), release_formula(scene))
-                : "By hand: friction and the steady force hold the carrier at every speed.");
+    notes.push_back(release
+                        ? fmt::format("Friction holds the carrier up to {}.", both_units(*release))
+                        : "Friction and the steady force hold the carrier at every speed.");
   }
   if (share && share->dominates()) {
     notes.push_back(fmt::format(
@@ -391,55 +374,23 @@ std::vector<std::string> notes_on(const Scene& scene, const std::optional<StartS
   return notes;
 }
 
-namespace {
-
-constexpr double long_window = 30;  // turns
-
-}  // namespace
-
-ModelChoice model_choice(const Scene& scene, const QuietSpeed& answer) {
-  const double omega = answer.fastest_quiet.value_or(answer.options.fastest);
-  ModelChoice choice{scene.across.has_value(), couples(at_speed(scene, omega)), omega, {}, {}};
-  const auto scan = coarse_scan(scene, answer);
-  if (!choice.needed || !scan) return choice;
-  const auto quiet_with = [&](Fidelity fidelity) {
-    Scene at_level = scene;
-    at_level.fidelity = fidelity;
-    Limit limit = *answer.limit;
-    if (answer.is_of_the_long_run()) {
-      // The planar model has no regimes: both levels count in a window in which the start matters
-      // little.
-      at_level.window = Revolutions{long_window};
-      limit = {Measure::collisions, long_window * (limit.at_most + 0.5)};
-    }
-    return quiet_by_scan(at_level, limit, *scan);
-  };
-  choice.along = quiet_with(Fidelity::impact);
-  choice.planar = quiet_with(Fidelity::planar);
-  return choice;
-}
-
-std::string sentence_of(const ModelChoice& choice) {
-  if (!choice.across) {
-    return "The planar model is not needed: the file has no clearance across the track. With a "
-           "section [across] in your file the answer may differ.";
+std::string planar_sentence(const Scene& scene, double omega) {
+  if (!scene.across) {
+    return "No: the file has no clearance across the track. With a section [across] in your file "
+           "the answer may differ.";
   }
-  if (!choice.needed) {
+  if (!couples(at_speed(scene, omega))) {
     return fmt::format(
-        "The planar model is not needed: at {:.3f} rad/s friction holds the carrier where it is "
-        "across its track, so that the motion along it is the same.",
-        choice.omega);
+        "No: at {:.3f} rad/s friction holds the carrier where it is across its track, so that the "
+        "motion along it is the same.",
+        omega);
   }
-  std::string text = fmt::format(
-      "The planar model is needed: at {:.3f} rad/s the carrier also moves across its track, or is "
-      "pressed to a wall there, and friction couples this to the motion along it.",
-      choice.omega);
-  if (choice.planar && choice.along) {
-    text += fmt::format(
-        " It is quiet up to {:.3f} rad/s, the motion along the track alone up to {:.3f} rad/s.",
-        *choice.planar, *choice.along);
-  }
-  return text;
+  return fmt::format(
+      "Yes: at {:.3f} rad/s the carrier also moves across its track, or is pressed to a wall "
+      "there, "
+      "and friction couples this to the motion along it. With fidelity = \"planar\" in your file "
+      "its window is counted in both directions.",
+      omega);
 }
 
 std::optional<std::string> strongest_of(const QuietSpeedAnswer& output) {

@@ -34,7 +34,7 @@ std::optional<StartShare> largest_start_share(const carrier_track::Scene& scene,
                                               const std::vector<double>& speeds);
 
 /// What an engineer should know beside the answer, one line each: the restitutions if the walls
-/// differ, the speed up to which friction holds the carrier, by its hand formula, and whether the
+/// differ, the speed up to which friction holds the carrier, and whether the
 /// window is too short, by the start's share in it.
 std::vector<std::string> notes_on(const carrier_track::Scene& scene,
                                   const std::optional<StartShare>& share);
@@ -89,21 +89,9 @@ std::string text_of(const QuietSpeedAnswer& output);
 
 report::Json json_of(const QuietSpeedAnswer& output);
 
-/// Whether a machine needs the planar model.
-struct ModelChoice {
-  bool across;   ///< it has a second direction
-  bool needed;   ///< that direction affects the first at `omega`
-  double omega;  ///< [rad/s], the fastest quiet speed
-  /// [rad/s], the fastest quiet speed without the second direction and with it, if it is needed and
-  /// the answer has a limit. Both have the same friction: [across] allows no contact_friction.
-  std::optional<double> along, planar;
-};
-
-ModelChoice model_choice(const carrier_track::Scene& scene,
-                         const carrier_track::QuietSpeed& answer);
-
-/// Whether the planar model is needed, with both speeds if it is.
-std::string sentence_of(const ModelChoice& choice);
+/// Whether a machine needs the planar model at a speed [rad/s]: if its second direction affects the
+/// first there.
+std::string planar_sentence(const carrier_track::Scene& scene, double omega);
 
 /// The constant that moves the speed most, in a sentence; nothing without sensitivities.
 std::optional<std::string> strongest_of(const QuietSpeedAnswer& output);

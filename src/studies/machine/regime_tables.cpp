@@ -26,9 +26,7 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-constexpr double narrow = 1.01;        // ratio of the speeds at its ends
-constexpr double seen = 1.1;           // ratio at which a level is worth a mention
-constexpr std::size_t summarised = 4;  // levels
+constexpr double narrow = 1.01;  // ratio of the speeds at its ends
 
 bool is_narrow(const Regime& regime) {
   return regime.to < narrow * regime.from;
@@ -43,27 +41,6 @@ std::string counts_of(const Regime& regime) {
   return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
 }
 
-namespace {
-
-/// A range of speeds up to which no turn has more collisions.
-struct Level {
-  double from, to;  ///< [rad/s]
-  double collisions;
-};
-
-std::vector<Level> levels_of(const std::vector<Regime>& regimes) {
-  std::vector<Level> levels;
-  for (const Regime& regime : regimes) {
-    if (levels.empty() || regime.most_per_turn > levels.back().collisions) {
-      levels.push_back({regime.from, regime.to, regime.most_per_turn});
-    }
-    levels.back().to = regime.to;
-  }
-  return levels;
-}
-
-}  // namespace
-
 std::vector<Regime> without_narrow(const std::vector<Regime>& regimes) {
   std::vector<Regime> shown;
   for (std::size_t i = 0; i < regimes.size(); ++i) {
@@ -74,25 +51,19 @@ std::vector<Regime> without_narrow(const std::vector<Regime>& regimes) {
 }
 
 std::string summary_of(const std::vector<Regime>& regimes) {
-  std::vector<Level> levels;
-  for (const Level& level : levels_of(regimes)) {
-    // Narrow levels between others are part of one border to the eye, but for those that answer.
-    const bool narrow = level.to < seen * level.from && level.to < regimes.back().to;
-    const bool answers = level.collisions == 0 || level.collisions == quiet_per_turn;
-    if (!narrow || answers) levels.push_back(level);
-  }
   std::string text;
-  for (std::size_t i = 0; i < levels.size() && i < summarised; ++i) {
-    const std::string at_most =
-        levels[i].collisions == 0
-            ? "silent"
-            : fmt::format("at most {:.4g} collision{} a turn", levels[i].collisions,
-                          levels[i].collisions == 1 ? "" : "s");
-    const bool last = i + 1 == levels.size();
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", at_most,
-                        last && i > 0 ? "beyond" : "up to " + both_units(levels[i].to));
+  double last = 0;
+  for (const auto& [at_most, words] :
+       {std::pair(0.0, "silent"), std::pair(quiet_per_turn, "at most 2 collisions a turn")}) {
+    const auto louder = std::ranges::find_if(
+        regimes, [most = at_most](const Regime& regime) { return regime.most_per_turn > most; });
+    const double to = louder == regimes.end() ? regimes.back().to : louder->from;
+    if (louder != regimes.begin() && to > last)
+      text += fmt::format("{}{} up to {}", text.empty() ? "" : ", ", words, both_units(to));
+    if (louder == regimes.end()) return text;
+    last = to;
   }
-  return text + (levels.size() > summarised ? ", and more beyond" : "");
+  return text.empty() ? "more than 2 collisions a turn" : text + ", more beyond";
 }
 
 Table regime_table(const std::vector<Regime>& regimes) {

@@ -22,8 +22,7 @@ std::vector<carrier_track::Regime> without_narrow(
 std::string counts_of(const carrier_track::Regime& regime);
 
 /// "silent up to 1.447 rad/s (13.82 rpm), at most 2 collisions a turn up to 8.079 rad/s (77.15
-/// rpm), at most 4 collisions a turn beyond": the first few levels; silence and the usual limit
-/// always.
+/// rpm), more beyond".
 std::string summary_of(const std::vector<carrier_track::Regime>& regimes);
 
 /// A row for each regime; energies, speeds and shares are those at the fast end.

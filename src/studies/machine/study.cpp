@@ -154,7 +154,9 @@ Results results_of(const AdviceOptions& options) {
   std::vector<DesignLine> lines;
   in_time("variants of the machine", [&] { lines = design_lines(options.scene, found); });
   std::optional<std::string> model;
-  in_time("planar model", [&] { model = sentence_of(model_choice(options.scene, found)); });
+  in_time("planar model", [&] {
+    model = planar_sentence(options.scene, found.fastest_quiet.value_or(found.options.fastest));
+  });
   in_time("paths", [&] {
     if (found.fastest_quiet) {
       add_path(options.scene, found, *found.fastest_quiet, "quiet", "fastest quiet speed", results);

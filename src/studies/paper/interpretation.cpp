@@ -58,6 +58,10 @@ const Choices<Rule> rules = {
     {"peaks-0.1mm", Rule::peaks_100um, ", peaks from 3 mm on or up to 0.1 mm count"}};
 const Choices<Base> bases = {{"base-0.6kg", Base::remainder},
                              {"base-1.2kg", Base::spindle, ", a base of 1.2 kg"}};
+const Choices<Counted> countings = {
+    {"from-start", Counted::from_start},
+    {"later-window", Counted::later, ", counted from a later turn on"},
+    {"long-run", Counted::long_run, ", as many a turn as in the long run"}};
 
 /// Calls `use(question, is_named, choices, member)` for every question. The answers to the first
 /// three are always part of a name, the first answers to the others never.
@@ -72,6 +76,13 @@ void for_each_question(Use use) {
   use("the recovery coefficient is", false, recoveries, &Interpretation::recovery);
   use("what counts", false, rules, &Interpretation::rule);
   use("the mass of the base", false, bases, &Interpretation::base);
+  use("collisions are counted", false, countings, &Interpretation::counted);
+}
+
+/// Returns true if no answer excludes another: turns a to b are turns.
+bool is_possible(const Interpretation& interpretation) {
+  return interpretation.counted != Counted::later ||
+         interpretation.window == WindowUnit::revolutions;
 }
 
 /// Calls `use(question, choice, is_in_name)` for the interpretation's answer to every question.
@@ -127,8 +138,9 @@ std::vector<Interpretation> variations(const Interpretation& interpretation) {
   for_each_question([&](const char*, bool is_named, const auto& choices, auto member) {
     for (const auto& choice : choices) {
       if (is_named || choice.value == interpretation.*member) continue;
-      interpretations.push_back(interpretation);
-      interpretations.back().*member = choice.value;
+      Interpretation varied = interpretation;
+      varied.*member = choice.value;
+      if (is_possible(varied)) interpretations.push_back(varied);
     }
   });
   return interpretations;
@@ -151,7 +163,11 @@ Interpretation find_interpretation(const std::string& name) {
     }
     if (is_named && !found) rest = "?";  // no later part fits it
   });
-  if (rest.empty()) return interpretation;
+  if (rest.empty() && is_possible(interpretation)) return interpretation;
+  if (rest.empty()) {
+    throw InputError(fmt::format(
+        "--interpretation {}: a window that begins later must be a number of revolutions", name));
+  }
   std::vector<std::string> known;
   for (const Interpretation& core : core_interpretations()) known.push_back(name_of(core));
   throw InputError(fmt::format(
@@ -197,12 +213,15 @@ const std::vector<UnknownParameter>& unknown_parameters() {
       {"disturbance_phase", "rad", 0, turn, false, 0.0, "any angle; the paper's is 0"},
       {"crossing_angle", "rad", 0.05, 0.8, false, 0.4,
        "of the plate, half a crossing: no crossing is longer than half the half turn"},
-      {"contact_speed", "m/s", 1e-3, 1, true, 0.1, "as fast as impacts are"}};
+      {"contact_speed", "m/s", 1e-3, 1, true, 0.1, "as fast as impacts are"},
+      {"first_turn", "turns", 0, 10, false, 0.0,
+       "until the start is forgotten; from the start on is natural"}};
   return constants;
 }
 
 std::vector<Unknown> unknowns_of(const Interpretation& interpretation) {
   const bool impacts = interpretation.rule == Rule::impacts;
+  const bool forgets_start = interpretation.counted == Counted::long_run;
   const auto used = [&](Unknown open) {
     switch (open) {
       case Unknown::normal_force:
@@ -223,6 +242,12 @@ std::vector<Unknown> unknowns_of(const Interpretation& interpretation) {
         return interpretation.transition == Transition::crossing;
       case Unknown::contact_speed:
         return interpretation.recovery == Recovery::contact_speed;
+      case Unknown::first_turn:
+        return interpretation.counted == Counted::later;
+      case Unknown::start_share:
+      case Unknown::start_velocity:
+      case Unknown::phase:
+        return !forgets_start;
       default:
         return true;
     }
@@ -271,7 +296,8 @@ constexpr double usual_speed = 3.0;
 bool is_one_scene(const Interpretation& interpretation) {
   return interpretation.transition == Transition::plain &&
          interpretation.recovery == Recovery::restitution &&
-         interpretation.disturbance != DisturbanceKind::acceleration;
+         interpretation.disturbance != DisturbanceKind::acceleration &&
+         interpretation.counted == Counted::from_start;
 }
 
 FittedInterpretation fitted_interpretation(const Parameterisation& fit, std::string provenance,

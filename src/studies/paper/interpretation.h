@@ -70,6 +70,13 @@ enum class Base {
   spindle     ///< 1.2 kg: with the sliders the carrier has 1.8 kg
 };
 
+/// When the events are counted.
+enum class Counted {
+  from_start,  ///< in the window, which begins with the motion
+  later,       ///< in turns a to b: the window begins some turns later
+  long_run     ///< in turns 20 to 30, as a mean for as many turns as the window has
+};
+
 /// One answer to each question.
 struct Interpretation {
   Centrifugal forcing = Centrifugal::projected;
@@ -81,6 +88,7 @@ struct Interpretation {
   Recovery recovery = Recovery::restitution;
   Rule rule = Rule::impacts;
   Base base = Base::remainder;
+  Counted counted = Counted::from_start;
 
   bool operator==(const Interpretation&) const = default;
 };
@@ -98,17 +106,18 @@ struct Answer {
   std::string answer;
 };
 
-/// To all nine, in the order of the members.
+/// To all of them, in the order of the members.
 std::vector<Answer> answers_of(const Interpretation& interpretation);
 
 /// Every combination of forcing, tension and window with the first answers to the others: 18.
 std::vector<Interpretation> core_interpretations();
 
-/// The interpretation with one answer to one of the other questions changed: 11 for a core
-/// interpretation.
+/// The interpretation with one answer to one of the other questions changed: 13 for a core
+/// interpretation, 12 if its window is not a number of revolutions, as a later one must be.
 std::vector<Interpretation> variations(const Interpretation& interpretation);
 
-/// The interpretation of a name that name_of() gives. Throws InputError for any other.
+/// The interpretation of a name that name_of() gives. Throws InputError for any other, and for one
+/// whose answers exclude each other.
 Interpretation find_interpretation(const std::string& name);
 
 // The numbers that the paper does not give, and the scene of an interpretation for given values.
@@ -148,9 +157,10 @@ enum class Unknown : std::size_t {
   disturbance_frequency,
   disturbance_phase,
   crossing_angle,
-  contact_speed
+  contact_speed,
+  first_turn
 };
-inline constexpr std::size_t unknown_size = 15;
+inline constexpr std::size_t unknown_size = 16;
 
 /// The parameters that an interpretation uses.
 std::vector<Unknown> unknowns_of(const Interpretation& interpretation);
@@ -173,7 +183,11 @@ inline constexpr double slider_mass_radius = 3.2566e-4;  ///< [kg m], (m_s1 + m_
 /// it by 24 micrometres.
 inline constexpr double calibration_stiffness = 1e8;
 
-/// The scene of a case for an interpretation and its parameters; omega is not set.
+/// The turns that count in the long run.
+inline constexpr double settled_turn = 20, last_turn = 30;
+
+/// The scene of a case for an interpretation and its parameters; omega is not set. Its window ends
+/// where the count does; see counts_of().
 template <class Scalar>
 BasicScene<Scalar> scene_of(const Case& a_case, const Interpretation& interpretation,
                             const BasicConstants<Scalar>& constants) {
@@ -192,8 +206,12 @@ BasicScene<Scalar> scene_of(const Case& a_case, const Interpretation& interpreta
   scene.phase = the(Unknown::phase);
   scene.start_position = the(Unknown::start_share) * the(Unknown::clearance);
   scene.start_velocity = the(Unknown::start_velocity);
-  if (interpretation.window == WindowUnit::revolutions) {
-    scene.window = Revolutions{value(the(Unknown::revolutions))};
+  if (interpretation.counted == Counted::long_run) {
+    scene.window = Revolutions{last_turn};
+  } else if (interpretation.window == WindowUnit::revolutions) {
+    const bool later = interpretation.counted == Counted::later;
+    scene.window = Revolutions{(later ? value(the(Unknown::first_turn)) : 0) +
+                               value(the(Unknown::revolutions))};
   } else {
     scene.window = Seconds{value(the(Unknown::seconds))};
   }

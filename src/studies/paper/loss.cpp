@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/count_scan.h"
@@ -126,6 +127,44 @@ struct Slopes {
   Vector slopes;  ///< one for each free parameter
 };
 
+/// What counts of a scene's window.
+struct CountedTurns {
+  double first;  ///< the turn at which the count begins
+  double scale;  ///< what a collision counts
+};
+
+CountedTurns counted_turns(const Parameterisation& fit, double omega) {
+  const auto the = [&](Unknown open) { return fit.constants[static_cast<std::size_t>(open)]; };
+  switch (fit.interpretation.counted) {
+    case Counted::from_start:
+      return {0, 1};
+    case Counted::later:
+      return {the(Unknown::first_turn), 1};
+    case Counted::long_run:
+      break;
+  }
+  const double turns = fit.interpretation.window == WindowUnit::revolutions
+                           ? the(Unknown::revolutions)
+                           : the(Unknown::seconds) * omega / (2 * std::numbers::pi);
+  return {settled_turn, turns / (last_turn - settled_turn)};
+}
+
+/// A scene whose window ends there.
+template <class Scalar>
+BasicScene<Scalar> until(double turn, BasicScene<Scalar> scene) {
+  scene.window = Revolutions{turn};
+  return scene;
+}
+
+/// The count, or its surrogate, of a scene at a speed.
+template <class Scalar>
+Scalar counted_objective(const BasicScene<Scalar>& at, const CountedTurns& turns,
+                         double smoothing) {
+  Scalar sum = objective(at, smoothing);
+  if (turns.first > 0) sum -= objective(until(turns.first, at), smoothing);
+  return turns.scale == 1 ? sum : constant<Scalar>(turns.scale) * sum;
+}
+
 /// A surrogate count and its derivatives, in groups of parameters: the cost of a dual number grows
 /// with its size.
 Slopes slopes_of_count(const Parameterisation& fit, double smoothing, const ClaimedCell& where) {
@@ -141,7 +180,8 @@ Slopes slopes_of_count(const Parameterisation& fit, double smoothing, const Clai
       dual[static_cast<std::size_t>(free[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
     }
     const BasicScene<Jet> scene = scene_of(where.the_case, fit.interpretation, dual);
-    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), smoothing);
+    const Jet count = counted_objective(at_speed(scene, Jet(where.cell.omega)),
+                                        counted_turns(fit, where.cell.omega), smoothing);
     slopes.count = count.a;
     for (std::size_t i = first; i < last; ++i) {
       slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
@@ -159,37 +199,62 @@ std::vector<SpeedCell> speed_cells(double threshold) {
   return cells;
 }
 
+namespace {
+
+/// Counts from a time on.
+struct LaterCount : ImpactCount {
+  double from = 0;  ///< [s]
+
+  void impact(double time, Wall wall, double speed) {
+    if (time >= from) ImpactCount::impact(time, wall, speed);
+  }
+};
+
+}  // namespace
+
 std::vector<int> counts_of(const Parameterisation& fit, const Case& a_case,
                            const std::vector<double>& speeds) {
   // With most parameters that a search tries first the carrier has thousands of impacts, which need
   // not all be simulated.
   const std::vector<Scene> scenes = scenes_of(fit, a_case, speeds);
   std::vector<int> counts;
+  const auto scaled = [](int count, const CountedTurns& turns) {
+    return std::min(most_counted + 1, static_cast<int>(std::lround(turns.scale * count)));
+  };
+  const auto most = [](const CountedTurns& turns) {
+    return static_cast<int>(std::lround(most_counted / turns.scale));
+  };
   if (std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
-    std::vector<ImpactCount> observers(scenes.size());
+    std::vector<LaterCount> observers(scenes.size());
     const auto outcomes = run_in_lanes(
         scenes.size(),
         [&](std::size_t k) {
           observers[k].counting_limit = scenes[k].counting_limit;
-          observers[k].most = most_counted;
+          const CountedTurns turns = counted_turns(fit, speeds[k]);
+          observers[k].most = most(turns);
+          if (turns.first > 0) observers[k].from = duration_of(until(turns.first, scenes[k]));
           return ImpactModel<double>(scenes[k], resting_share * scenes[k].counting_limit);
         },
-        [&](std::size_t k) -> ImpactCount& { return observers[k]; });
+        [&](std::size_t k) -> LaterCount& { return observers[k]; });
     for (std::size_t k = 0; k < scenes.size(); ++k) {
       try {
         if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
       } catch (const ImpactCount::Enough&) {
         // Louder than anything in the paper.
       }
-      counts.push_back(observers[k].count);
+      counts.push_back(scaled(observers[k].count, counted_turns(fit, speeds[k])));
     }
     return counts;
   }
-  for (const Scene& at : scenes) {
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
     struct Enough {};
-    int& count = counts.emplace_back(0);
-    auto add = [&count](double margin, double /*left*/) {
-      if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
+    const Scene& at = scenes[k];
+    const CountedTurns turns = counted_turns(fit, speeds[k]);
+    const double first =
+        turns.first > 0 ? duration_of(until(turns.first, at)) / duration_of(at) : 0;
+    int count = 0;
+    auto add = [&](double margin, double left) {
+      if (1 - left >= first && step(margin, 0.0) > 0 && ++count > most(turns)) throw Enough();
     };
     Features<double, decltype(add)> features(at, add);
     try {
@@ -197,6 +262,18 @@ std::vector<int> counts_of(const Parameterisation& fit, const Case& a_case,
     } catch (const Enough&) {
       // The same.
     }
+    counts.push_back(scaled(count, turns));
+  }
+  return counts;
+}
+
+std::vector<int> exact_counts(const Parameterisation& fit, const Case& a_case,
+                              const std::vector<double>& speeds) {
+  std::vector<int> counts;
+  const std::vector<Scene> scenes = scenes_of(fit, a_case, speeds);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const double count = counted_objective(scenes[k], counted_turns(fit, speeds[k]), 0.0);
+    counts.push_back(static_cast<int>(std::lround(count)));
   }
   return counts;
 }
@@ -290,7 +367,15 @@ SmoothLoss smooth_loss(const Parameterisation& fit, double smoothing, const Case
     for (const SpeedCell& cell : its_cells) cells.push_back({a_case, cell});
     std::ranges::move(scenes_of(fit, a_case, speeds_of(its_cells)), std::back_inserter(scenes));
   }
-  const std::vector<double> counts = objectives(scenes, smoothing);
+  std::vector<double> counts = objectives(scenes, smoothing);
+  if (fit.interpretation.counted != Counted::from_start) {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const CountedTurns turns = counted_turns(fit, cells[k].cell.omega);
+      const double before =
+          turns.first > 0 ? objective(until(turns.first, scenes[k]), smoothing) : 0;
+      counts[k] = turns.scale * (counts[k] - before);
+    }
+  }
   const auto columns = static_cast<Eigen::Index>(fit.free.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
   SmoothLoss result{Vector(rows), Matrix::Zero(rows, columns)};

@@ -29,6 +29,10 @@ inline constexpr int most_counted = 100;
 std::vector<int> counts_of(const Parameterisation& fit, const Case& a_case,
                            const std::vector<double>& speeds);
 
+/// The same without a highest count, and of carriers that rest as late as in every other command.
+std::vector<int> exact_counts(const Parameterisation& fit, const Case& a_case,
+                              const std::vector<double>& speeds);
+
 /// The six parts for one case, from coarse cells.
 struct CoarseScore {
   int quiet_count;       ///< (1)

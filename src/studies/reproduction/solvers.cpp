@@ -20,10 +20,8 @@ namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace comparison;
-using report::Chart;
 
 constexpr std::size_t told_entries = 3;  // of a family, beside random search and the paper's solver
-constexpr std::size_t pale_entries = 6;
 
 /// A store of another plan, program or data is replaced: its runs take seconds.
 StoredCampaign opened(const Plan& plan, const std::filesystem::path& file,
@@ -52,53 +50,6 @@ std::vector<const Rating*> told_ratings(const std::vector<Rating>& ratings) {
     solvers.insert(rating.solver);
   }
   return told;
-}
-
-report::Series runtimes_of(const Rating& rating, std::string label) {
-  report::Series series{std::move(label), report::Mark::steps, {}};
-  auto& samples = series.samples;
-  for (const Reach& reach : rating.progress) {
-    if (samples.empty()) samples.push_back({reach.evaluations, 0});
-    const std::size_t many = samples.size();
-    const double share = 100 * reach.share;
-    const bool level =
-        many > 1 && samples[many - 1].value == share && samples[many - 2].value == share;
-    if (level) samples.pop_back();  // its ends suffice
-    samples.push_back({reach.evaluations, share});
-  }
-  return series;
-}
-
-/// The ECDF of runtimes: the told entries in colour, others in grey.
-Chart runtime_chart(const std::string& family, const std::vector<Rating>& ratings,
-                    std::int64_t budget) {
-  const Rating& first = ratings.front();
-  Chart chart{.name = "runtimes",
-              .title = fmt::format("{}: {} reaches {:.0f} % of the targets in {} evaluations a "
-                                   "variable",
-                                   family, entry(first.solver, first.formulation),
-                                   100 * first.progress.back().share, budget),
-              .x = {.label = "evaluations for each variable", .scale = report::Scale::logarithmic},
-              .y = {.label = "targets reached [%]", .range = report::Range{0, 100}},
-              .width = 720,
-              .height = 360};
-  std::vector<report::Series> told;
-  std::set<std::string> solvers;
-  for (const Rating* rating : told_ratings(ratings)) {
-    const bool paper = rating->solver == paper_solver;
-    told.push_back(runtimes_of(
-        *rating, entry(rating->solver + (paper ? " (the paper's)" : ""), rating->formulation)));
-    told.back().dark = paper;
-    solvers.insert(rating->solver);
-  }
-  for (const Rating& rating : ratings) {
-    if (chart.series.size() == pale_entries) break;
-    if (!solvers.insert(rating.solver).second) continue;
-    chart.series.push_back(runtimes_of(rating, ""));
-    chart.series.back().pale = true;
-  }
-  chart.series.insert(chart.series.end(), told.begin(), told.end());
-  return chart;
 }
 
 }  // namespace
@@ -134,8 +85,11 @@ void add_solvers(bool quick, const std::filesystem::path& file, const Provenance
                 r->probability_of_being_best, r->returned, last.share, last.interval.lower,
                 last.interval.upper);
     }
-    if (results.chart("runtimes") == nullptr)
-      results.add(runtime_chart(groups[g].family, by_returned, compared.part->budgets.back()));
+    if (results.chart("runtimes") != nullptr) continue;
+    report::Chart chart =
+        runtime_ecdf(groups[g].family, compared.part->budgets.back(), by_returned);
+    chart.name = "runtimes";
+    results.add(std::move(chart));
   }
   results.add(std::move(table));
   std::set<std::string> versions;

@@ -9,6 +9,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "src/studies/paper/interpretation.h"
+#include "tests/studies/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -61,6 +62,30 @@ TEST(Appraisal, WeighsErrorAgainstConstants) {
   // A constant more must pay for itself.
   EXPECT_GT(selection_criterion(0.2, 20, 6), selection_criterion(0.2, 20, 5));
   EXPECT_LT(selection_criterion(0.1, 20, 6), selection_criterion(0.2, 20, 5));
+}
+
+TEST(Appraisal, ProfilesAroundTheFit) {
+  Fit fit{some_parameterisation()};
+  fit.loss = loss(fit);
+  Searches searches(fresh_file(), some_provenance());
+  const auto found = profiles(fit, some_search(2), searches);
+  ASSERT_EQ(found.size(), 2U);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Profile& p = found[k];
+    const auto i = static_cast<std::size_t>(p.constant);
+    EXPECT_NEAR(p.value, fit.constants[i], 1e-9 * std::abs(fit.constants[i]));
+    EXPECT_LE(p.lower, p.value);
+    EXPECT_GE(p.upper, p.value);
+    EXPECT_LT(p.lower, p.upper);
+    // Where a side is closed, the loss has risen, however well the other parameter is fitted.
+    for (const auto& [end, open] :
+         {std::pair(p.lower, p.lower_open), std::pair(p.upper, p.upper_open)}) {
+      Fit start = fit;
+      start.free.erase(start.free.begin() + static_cast<std::ptrdiff_t>(k));
+      start.constants[i] = end;
+      EXPECT_EQ(searches.polished({start}, some_search(2)).at(0).loss > fit.loss + 1, !open);
+    }
+  }
 }
 
 }  // namespace

@@ -47,7 +47,6 @@ TEST(Results, RankInterpretationsHoldConstantsAndPredict) {
               results.choice().appraisal.criterion);
   }
   EXPECT_EQ(results.predictions.size(), 50U);
-  EXPECT_EQ(results.sensitivities.size(), 10U);
   EXPECT_EQ(results.profiles.size(), results.choice().fit.free.size());
 }
 

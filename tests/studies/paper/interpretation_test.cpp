@@ -22,9 +22,12 @@ std::vector<Interpretation> every_interpretation() {
 }
 
 TEST(Interpretation, CoversEveryForcingTensionAndWindow) {
-  // 3 x 3 x 2, and one other answer to one of six further questions: 3 + 2 + 1 + 2 + 2 + 1.
+  // 3 x 3 x 2, and one other answer to one of seven further questions: 3 + 2 + 1 + 2 + 2 + 1 + 2.
   EXPECT_EQ(core_interpretations().size(), 18U);
-  EXPECT_EQ(variations(Interpretation{}).size(), 11U);
+  EXPECT_EQ(variations(Interpretation{}).size(), 13U);
+  Interpretation in_seconds;
+  in_seconds.window = WindowUnit::seconds;
+  EXPECT_EQ(variations(in_seconds).size(), 12U);  // turns a to b are turns
 }
 
 TEST(Interpretation, HasANameAndADescriptionOfItsOwn) {
@@ -52,8 +55,17 @@ TEST(Interpretation, IsRefusedUnderAnotherNameWithWhatThereIs) {
   }
 }
 
-TEST(Interpretation, AnswersNineQuestions) {
-  for (const Interpretation& r : every_interpretation()) EXPECT_EQ(answers_of(r).size(), 9U);
+TEST(Interpretation, IsRefusedIfItsAnswersExcludeEachOther) {
+  try {
+    find_interpretation("projected-constant-seconds-later-window");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("must be a number of revolutions"));
+  }
+}
+
+TEST(Interpretation, AnswersTenQuestions) {
+  for (const Interpretation& r : every_interpretation()) EXPECT_EQ(answers_of(r).size(), 10U);
   Interpretation r;
   r.normal_force = NormalForce::weight;
   EXPECT_EQ(answers_of(r)[4].question, "friction multiplies");

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/machine.h"
 #include "src/studies/paper/interpretation.h"
 
 namespace ricochet::carrier_track {
@@ -105,8 +108,15 @@ TEST(Loss, OfALeftOutMachineHasNothingOfIt) {
   EXPECT_GT(squares(others), 0.1);
 }
 
-TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
+/// The default interpretation, counted from a later turn on, or in the long run.
+Parameterisation counted(Counted when) {
   Parameterisation fit = default_interpretation();
+  fit.interpretation.counted = when;
+  fit.constants[static_cast<std::size_t>(Unknown::first_turn)] = 1.2;
+  return fit;
+}
+
+void expect_slopes_of_differences(Parameterisation fit) {
   const std::vector<Unknown> free = {Unknown::pull, Unknown::clearance, Unknown::phase,
                                      Unknown::counting_limit, Unknown::revolutions};
   fit.free = free;
@@ -133,6 +143,58 @@ TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
   EXPECT_GT(compared, 1000);
   EXPECT_GT(close, 0.95 * compared);
   EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
+}
+
+TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
+  expect_slopes_of_differences(default_interpretation());
+}
+
+TEST(Loss, HasTheSameOfALaterWindow) {
+  expect_slopes_of_differences(counted(Counted::later));
+}
+
+TEST(Loss, HasTheSameInTheLongRun) {
+  expect_slopes_of_differences(counted(Counted::long_run));
+}
+
+TEST(Loss, CountsInALaterWindowTheImpactsAfterItsFirstTurn) {
+  const Parameterisation fit = counted(Counted::later);
+  const std::vector<double> speeds = {0.5, 2.1, 2.9, 8.1, 12.4};
+  for (const char* id : {"C1", "C2", "C9", "C11"}) {
+    const Case c = find_case(id);
+    const std::vector<int> exact = exact_counts(fit, c, speeds);
+    const std::vector<int> counts = counts_of(fit, c, speeds);
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      Scene scene = scene_of(c, default_interpretation().scene);
+      scene.omega = speeds[k];
+      const double turn = 2 * std::numbers::pi / speeds[k];
+      const double turns = std::get<Revolutions>(scene.window).count;
+      scene.window = Revolutions{turns + 1.2};
+      const auto impacts = simulate(scene).impacts;
+      const auto later = std::ranges::count_if(impacts, [&](const Impact& impact) {
+        return impact.speed > scene.counting_limit && impact.time > 1.2 * turn;
+      });
+      EXPECT_EQ(exact[k], later) << id << " at " << speeds[k];
+      EXPECT_EQ(counts[k], later) << id << " at " << speeds[k];
+    }
+  }
+}
+
+TEST(Loss, CountsInTheLongRunWhatATurnHas) {
+  const Parameterisation fit = counted(Counted::long_run);
+  const double turns = fit.constants[static_cast<std::size_t>(Unknown::revolutions)];
+  const std::vector<double> speeds = {1.0, 2.5, 5.0, 8.0, 8.2, 15.0};
+  for (const char* id : {"C1", "C3"}) {  // their motion repeats
+    const Case c = find_case(id);
+    const std::vector<int> exact = exact_counts(fit, c, speeds);
+    const std::vector<int> counts = counts_of(fit, c, speeds);
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      const Scene there = at_speed(scene_of(c, default_interpretation().scene), speeds[k]);
+      const long count = std::lround(turns * most_per_turn(there));
+      EXPECT_EQ(exact[k], count) << id << " at " << speeds[k];
+      EXPECT_EQ(counts[k], count) << id << " at " << speeds[k];
+    }
+  }
 }
 
 TEST(Loss, CountsAsASimulationOfEverySpeedDoes) {

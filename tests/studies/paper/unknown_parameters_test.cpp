@@ -59,6 +59,12 @@ TEST(UnknownParameters, AreThoseThatTheInterpretationUses) {
   EXPECT_FALSE(has(unknowns_of(r), Unknown::normal_force));
   r.rule = Rule::peaks_1mm;
   EXPECT_FALSE(has(unknowns_of(r), Unknown::counting_limit));
+  r = {};
+  r.counted = Counted::later;
+  EXPECT_TRUE(has(unknowns_of(r), Unknown::first_turn));
+  r.counted = Counted::long_run;
+  EXPECT_EQ(unknowns_of(r).size(), 6U);  // not where and how fast it starts, and when
+  EXPECT_FALSE(has(unknowns_of(r), Unknown::start_velocity));
 }
 
 TEST(UnknownParameters, MakeValidScenesOfEveryInterpretationAndCase) {

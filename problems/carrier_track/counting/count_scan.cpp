@@ -42,6 +42,17 @@ void run_all(const SceneAt& scene_at, std::vector<SomeObserver>& observers) {
   }
 }
 
+/// The collision counts of scenes that suit lanes.
+template <class SceneAt>
+std::vector<int> counts_in_lanes(std::size_t size, const SceneAt& scene_at) {
+  std::vector<ImpactCount> observers(size);
+  for (std::size_t k = 0; k < size; ++k) observers[k].counting_limit = scene_at(k).counting_limit;
+  run_all(scene_at, observers);
+  std::vector<int> counts;
+  for (const ImpactCount& observer : observers) counts.push_back(observer.count);
+  return counts;
+}
+
 }  // namespace
 
 bool suits_lanes(const Scene& scene) {
@@ -54,32 +65,32 @@ std::vector<double> objectives(std::span<const Scene> scenes, double smoothing) 
     for (const Scene& scene : scenes) results.push_back(objective(scene, smoothing));
     return results;
   }
+  const auto scene_at = [&](std::size_t k) -> const Scene& { return scenes[k]; };
+  if (smoothing == 0) {
+    const std::vector<int> counts = counts_in_lanes(scenes.size(), scene_at);
+    return {counts.begin(), counts.end()};
+  }
   std::vector<Surrogate> observers(scenes.size());
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     observers[k].scene = &scenes[k];
     observers[k].smoothing = smoothing;
   }
-  run_all([&](std::size_t k) -> const Scene& { return scenes[k]; }, observers);
+  run_all(scene_at, observers);
   for (const Surrogate& observer : observers) results.push_back(observer.sum);
   return results;
 }
 
 std::vector<int> counts_at(const Scene& scene, std::span<const double> speeds) {
-  std::vector<int> counts;
   Scene there = at_speed(scene, 0.0);
   if (!suits_lanes(there)) {
+    std::vector<int> counts;
     for (const double omega : speeds) counts.push_back(count_at(scene, omega));
     return counts;
   }
-  std::vector<ImpactCount> observers(speeds.size());
-  for (ImpactCount& observer : observers) observer.counting_limit = scene.counting_limit;
-  const auto scene_at = [&](std::size_t k) -> const Scene& {
+  return counts_in_lanes(speeds.size(), [&](std::size_t k) -> const Scene& {
     there.omega = speeds[k];
     return there;
-  };
-  run_all(scene_at, observers);
-  for (const ImpactCount& observer : observers) counts.push_back(observer.count);
-  return counts;
+  });
 }
 
 std::vector<int> counts(const Scene& scene, std::span<const double> speeds) {

@@ -10,7 +10,7 @@ namespace ricochet::carrier_track::inline events {
 
 /// See event.cpp.
 template <class Row>
-Row step_bound(const Row& value, const Row& slope, const Row& bound) {
+[[gnu::always_inline]] inline Row step_bound(const Row& value, const Row& slope, const Row& bound) {
   const Row root = stdx::sqrt(slope * slope + 2 * bound * value);
   const Row falling = 2 * value / (root - slope);
   return select(
@@ -41,20 +41,24 @@ class SearchRows {
         jerk_bound_(there.jerk_bound()),
         noise_(1e-9 * there.size(there.steady)) {}
 
-  [[gnu::always_inline]] void run() {
+  /// Finds events that bounds from the start prove to come first. Returns the moving bodies that
+  /// need run_far().
+  [[gnu::always_inline]] Mask run() {
     const Mask moving = direction_ != 0.0 && ahead_ > 0.0;
     begin_turn(moving);
     begin_arrival(moving && !turn);
-    const Mask unclear = moving && !turn && !arrival;
-    if (stdx::any_of(unclear)) *this = with_fast_arrivals(*this, unclear);
     const Mask clear = turn || arrival;
-    if (stdx::any_of(clear)) {
-      advance(select(clear, first_, Row(0.0)), clear);
-      upper_ = latest_;
-      finish(turn, arrival, 6);
-    }
-    const Mask rest = moving && !clear;
-    if (stdx::any_of(rest)) *this = advanced_conservatively(*this, rest);
+    if (stdx::any_of(clear)) finish_from_first(clear);
+    return moving && !clear;
+  }
+
+  /// Finds the events of all other bodies.
+  void run_far(const Mask& moving) {
+    begin_fast_arrival(moving);
+    const Mask fast = arrival;
+    if (stdx::any_of(fast)) finish_from_first(fast);
+    const Mask rest = moving && !fast;
+    if (stdx::any_of(rest)) advance_conservatively(rest);
   }
 
   FlightRows<Row, harmonics> there;
@@ -85,15 +89,10 @@ class SearchRows {
     arrival = arrival && !arriving;
   }
 
-  // NOTE: this rare case works on a copy; otherwise the compiler would keep all rows in memory.
-  [[gnu::noinline]] static SearchRows advanced_conservatively(SearchRows search,
-                                                              const Mask& active) {
-    search.advance_conservatively(active);
-    return search;
-  }
-  [[gnu::noinline]] static SearchRows with_fast_arrivals(SearchRows search, const Mask& unclear) {
-    search.begin_fast_arrival(unclear);
-    return search;
+  [[gnu::always_inline]] void finish_from_first(const Mask& which) {
+    advance(select(which, first_, Row(0.0)), which);
+    upper_ = latest_;
+    finish(turn, arrival, 6);
   }
 
   void advance_conservatively(Mask active) {

@@ -48,6 +48,8 @@ template <int first, class Row>
   constexpr auto coefficient = [](std::size_t k) {
     return (k % 2 == 0 ? 1 : -1) * inverse_factorials[first + 2 * k];
   };
+  const MaskOf<Row> shortest = q < 1e-8;
+  if (stdx::all_of(shortest)) return coefficient(1) * q + coefficient(0);
   Row sum = coefficient(4);
   const MaskOf<Row> short_enough = q < 1.0 / 64;
   if (!stdx::all_of(short_enough)) {
@@ -57,7 +59,7 @@ template <int first, class Row>
   }
   sum = sum * q + coefficient(3);
   sum = select(q < 1e-4, coefficient(2), Row(sum * q + coefficient(2)));
-  sum = select(q < 1e-8, coefficient(1), Row(sum * q + coefficient(1)));
+  sum = select(shortest, coefficient(1), Row(sum * q + coefficient(1)));
   return sum * q + coefficient(0);
 }
 
@@ -86,19 +88,24 @@ struct FlightRows {
   [[gnu::always_inline]] void advance(const Row& t) {
     position += t * (velocity + steady * t * 0.5);
     velocity += steady * t;
-    for (std::size_t h = 0; h < harmonics; ++h) {
-      const Row u = frequency[h] * t;
-      const auto [c2, c3] = stumpff_rows(u);
-      const Row q = u * u;
-      const Row c = 1.0 - q * c2;
-      const Row sinc = 1.0 - q * c3;
-      const Row s = u * sinc;
-      position += t * t * (cosine[h] * c2 - sine[h] * (u * c3));
-      velocity += t * (cosine[h] * sinc - sine[h] * (u * c2));
-      const Row turned = cosine[h] * c - sine[h] * s;
-      sine[h] = sine[h] * c + cosine[h] * s;
-      cosine[h] = turned;
-    }
+    swing<0>(t);  // GCC 12 does not unroll a loop over the harmonics, and keeps them in memory
+    if constexpr (harmonics == 2) swing<1>(t);
+  }
+
+  /// Adds the motion under a harmonic.
+  template <std::size_t h>
+  [[gnu::always_inline]] void swing(const Row& t) {
+    const Row u = frequency[h] * t;
+    const auto [c2, c3] = stumpff_rows(u);
+    const Row q = u * u;
+    const Row c = 1.0 - q * c2;
+    const Row sinc = 1.0 - q * c3;
+    const Row s = u * sinc;
+    position += t * t * (cosine[h] * c2 - sine[h] * (u * c3));
+    velocity += t * (cosine[h] * sinc - sine[h] * (u * c2));
+    const Row turned = cosine[h] * c - sine[h] * s;
+    sine[h] = sine[h] * c + cosine[h] * s;
+    cosine[h] = turned;
   }
 
   /// The acceleration with `sum` as its steady part.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "problems/carrier_track/motion/forces.h"
@@ -178,7 +179,10 @@ template <class ModelAt, class ObserverAt>
 class ImpactLanes {
  public:
   ImpactLanes(std::size_t size, const ModelAt& model_at, const ObserverAt& observer_at)
-      : model_at_(model_at), observer_at_(observer_at), outcomes_(size) {}
+      : model_at_(model_at), observer_at_(observer_at), outcomes_(size) {
+    using SomeObserver = std::remove_reference_t<std::invoke_result_t<ObserverAt, std::size_t>>;
+    if (SomeObserver::hears_impacts_alone) lanes_.flights = 4;
+  }
 
   std::vector<LaneOutcome> run() {
     while (next_ < outcomes_.size()) {

@@ -26,23 +26,43 @@ class LaneFlight {
  public:
   LaneFlight(Lanes& lanes, std::size_t first) : lanes_(lanes), first_(first) {}
 
-  void run() {
+  /// Returns true if every body has turned or rested, and moves on.
+  bool run() {
     const Mask moves = direction_ != 0.0;
     const Mask rests = !moves && load(lanes_.time) < duration_;
     store(Mask(true), Row(Lanes::none), lanes_.event);
     if (stdx::any_of(moves)) fly();
     // NOTE: with few resting bodies the caller handles each of them as fast as a row handles all.
     if (2 * stdx::popcount(rests) > static_cast<int>(Row::size())) rest(rests);
+    const Row event = load(lanes_.event);
+    const Mask moves_on = (event == Lanes::turned || event == Lanes::rested) &&
+                          load(lanes_.direction) != 0.0 && load(lanes_.time) < duration_;
+    return stdx::all_of(moves_on || !(moves || rests));
   }
 
  private:
-  void fly() {
-    const Row steady = load(lanes_.steady) + select(rising_, -friction_, friction_);
-    SearchRows<Row, harmonics> search(
-        start(steady), direction_,
-        direction_ * ((wall_ - load(lanes_.origin)) - load(lanes_.offset)),
-        duration_ - load(lanes_.time));
-    search.run();
+  [[gnu::always_inline]] void fly() {
+    SearchRows<Row, harmonics> search = next_event();
+    const Mask far = search.run();
+    land(search);
+    if (stdx::any_of(far)) fly_far(far);
+  }
+
+  // NOTE: not inlined, because the compiler would keep all rows of the other case in memory.
+  [[gnu::noinline]] void fly_far(const Mask& which) {
+    SearchRows<Row, harmonics> search = next_event();
+    search.run_far(which);
+    land(search);
+  }
+
+  [[gnu::always_inline]] SearchRows<Row, harmonics> next_event() const {
+    return {start(load(lanes_.steady) + select(rising_, -friction_, friction_)), direction_,
+            direction_ * ((wall_ - load(lanes_.origin)) - load(lanes_.offset)),
+            duration_ - load(lanes_.time)};
+  }
+
+  /// Sets the state of the bodies that have an event.
+  [[gnu::always_inline]] void land(const SearchRows<Row, harmonics>& search) {
     const FlightRows<Row, harmonics>& there = search.there;
     const Mask struck = search.arrival;
     const Mask done = search.turn || struck;
@@ -124,15 +144,16 @@ class LaneFlight {
   Row duration_ = load(lanes_.duration);
 };
 
+template <int harmonics>
+void fly_row(Lanes& lanes, std::size_t first) {
+  for (int i = 0; i < lanes.flights && LaneFlight<harmonics>(lanes, first).run(); ++i) continue;
+}
+
 }  // namespace
 
 void RICOCHET_FLY(Lanes& lanes) {
   for (std::size_t first = 0; first < lanes.used; first += Row::size()) {
-    if (lanes.harmonics == 1) {
-      LaneFlight<1>(lanes, first).run();
-    } else {
-      LaneFlight<2>(lanes, first).run();
-    }
+    lanes.harmonics == 1 ? fly_row<1>(lanes, first) : fly_row<2>(lanes, first);
   }
 }
 

@@ -44,6 +44,7 @@ struct Lanes {
   alignas(64) Row speed{};    ///< of approach, of a body that struck
 
   int harmonics = 2;        ///< number that act on every body, 1 or 2
+  int flights = 1;          ///< the most in one call: bodies that turn or rest together may move on
   std::size_t used = size;  ///< no body is in the lanes from this one on
 };
 

@@ -161,7 +161,7 @@ class Settling {
     return start;
   }
 
-  /// Another start: on the other wall; if there is none, as high as turns end, or off the wall.
+  /// Another start: on the other wall; if there is none, at rest as high as turns end, or higher.
   void choose_other_start() {
     other_ = at_wall();
     room_ = machine_.wall_upper - machine_.wall_lower;
@@ -170,13 +170,12 @@ class Settling {
           other_.position == machine_.wall_lower ? machine_.wall_upper : machine_.wall_lower;
       return;
     }
+    // Friction may hold it there, though few turns, or none of these, lift it.
+    room_ = knocked().velocity / machine_.omega;
     for (const DisturbedTurn& turn : motion_.turns) {
-      other_.position = std::max(other_.position, turn.end_position);
+      room_ = std::max(room_, turn.end_position - machine_.wall_lower);
     }
-    room_ = other_.position - machine_.wall_lower;
-    if (room_ > 0) return;
-    other_ = knocked();
-    room_ = other_.velocity / machine_.omega;
+    other_.position += room_;
   }
 
   /// The turns of some bodies, which move on to the next ones.

@@ -51,7 +51,7 @@ inline bool is_disturbed(const Scene& scene) {
 /// [rad], and between phases whose turns differ so much that turns with fewer or more collisions
 /// may hide there, down to 1e-4 rad. It is settled if every turn begins and ends at rest on one
 /// wall, also if the carrier is knocked off it, or if starts on both walls (without an upper wall:
-/// on the lower one and as high as turns end) are forgotten within 32 turns.
+/// on the lower one and at rest above it) are forgotten within 32 turns.
 DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also = {});
 
 /// The turns of a settled motion at another speed [rad/s] and at other phases.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -12,9 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "problems/carrier_track/counting/count.h"
-#include "problems/carrier_track/motion/forces.h"
-#include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_values.h"
@@ -25,97 +20,6 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double circle = 2 * std::numbers::pi;
-
-/// Rebounds slower than this share of the counting limit are summed where the force hardly changes:
-/// they are too slow for any margin above lowest_margin.
-constexpr double summed_rebounds = 0.1;
-
-/// The start of a turn.
-struct TurnStart {
-  double omega, phase;
-  double position, velocity;  // of the carrier
-};
-
-/// Takes the impacts of a turn.
-struct CollectedImpacts : Observer {
-  static constexpr bool hears_impacts_alone = true;
-
-  double slowest = 0;  // [m/s]
-  std::vector<Impact> all;
-
-  void impact(double time, Wall wall, double speed) {
-    if (speed > slowest) all.push_back({time, wall, speed});
-  }
-};
-
-DisturbedTurn turn_with(std::vector<Impact> impacts, const TurnStart& start, double limit,
-                        const End<double>& end) {
-  DisturbedTurn turn{start.phase,    std::move(impacts), {},           lowest_margin, 0,
-                     start.position, start.velocity,     end.position, end.velocity};
-  for (const Impact& impact : turn.impacts) {
-    turn.margins.push_back(std::log(impact.speed / limit));
-    if (is_counted(impact.speed, limit)) ++turn.collisions;
-  }
-  if (!turn.margins.empty()) turn.first = turn.margins.front();
-  std::sort(turn.margins.begin(), turn.margins.end(), std::greater<>());
-  return turn;
-}
-
-/// Simulates some turns that end at the phases of these starts, or begin there.
-template <class ObserverAt>
-std::vector<LaneOutcome> fly(const Scene& scene, std::span<const TurnStart> starts, int turns,
-                             int before, const ObserverAt& observer_at) {
-  Scene there = scene;
-  there.window = Revolutions{static_cast<double>(turns)};
-  const auto model_at = [&](std::size_t k) {
-    const TurnStart& start = starts[k];
-    there.phase = scene.phase;
-    there.omega = start.omega;
-    if (start.omega != scene.omega) begin_turns_at_rest(there);
-    there.disturbance_phase =
-        start.phase - before * circle / start.omega * scene.disturbance_frequency;
-    there.start_position = start.position;
-    there.start_velocity = start.velocity;
-    return ImpactModel<double>(there, summed_rebounds * scene.counting_limit);
-  };
-  std::vector<LaneOutcome> outcomes = run_in_lanes(starts.size(), model_at, observer_at);
-  for (const LaneOutcome& outcome : outcomes) {
-    if (outcome.failure) std::rethrow_exception(outcome.failure);
-  }
-  return outcomes;
-}
-
-struct Nobody : Observer {
-  static constexpr bool hears_impacts_alone = true;
-};
-
-/// Moves the carriers on by `before` turns, up to these phases.
-void pass(const Scene& scene, std::vector<TurnStart>& starts, int before) {
-  if (before == 0) return;
-  Nobody nobody;
-  const auto outcomes =
-      fly(scene, starts, before, before, [&](std::size_t) -> Nobody& { return nobody; });
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    starts[k].position = outcomes[k].end.position;
-    starts[k].velocity = outcomes[k].end.velocity;
-  }
-}
-
-/// The turns from these starts.
-std::vector<DisturbedTurn> turns_from(const Scene& scene, std::span<const TurnStart> starts) {
-  std::vector<CollectedImpacts> impacts(starts.size());
-  const double slowest = std::exp(lowest_margin) * scene.counting_limit;
-  for (CollectedImpacts& each : impacts) each.slowest = slowest;
-  const auto outcomes =
-      fly(scene, starts, 1, 0, [&](std::size_t k) -> CollectedImpacts& { return impacts[k]; });
-  std::vector<DisturbedTurn> turns;
-  turns.reserve(starts.size());
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    turns.push_back(
-        turn_with(std::move(impacts[k].all), starts[k], scene.counting_limit, outcomes[k].end));
-  }
-  return turns;
-}
 
 std::vector<double> phases_from(double first, std::size_t count) {
   std::vector<double> phases;
@@ -228,8 +132,10 @@ class Settling {
       std::vector<DisturbedTurn> turns = flown_on(bodies);
       keep(turns, few_phases);
     }
+    // Other phases may need more turns than these few.
+    const int enough = std::min(2 * before, std::end(erasing_turns)[-1]);
     motion_.turns_before =
-        *std::lower_bound(std::begin(erasing_turns), std::end(erasing_turns), before);
+        *std::lower_bound(std::begin(erasing_turns), std::end(erasing_turns), enough);
     return take(also_) && refine();
   }
 
@@ -255,7 +161,7 @@ class Settling {
     return start;
   }
 
-  /// Another start: on the other wall; if there is none, as high as turns end, or off the wall.
+  /// Another start: on the other wall; if there is none, at rest as high as turns end, or higher.
   void choose_other_start() {
     other_ = at_wall();
     room_ = machine_.wall_upper - machine_.wall_lower;
@@ -264,13 +170,12 @@ class Settling {
           other_.position == machine_.wall_lower ? machine_.wall_upper : machine_.wall_lower;
       return;
     }
+    // Friction may hold it there, though few turns, or none of these, lift it.
+    room_ = knocked().velocity / machine_.omega;
     for (const DisturbedTurn& turn : motion_.turns) {
-      other_.position = std::max(other_.position, turn.end_position);
+      room_ = std::max(room_, turn.end_position - machine_.wall_lower);
     }
-    room_ = other_.position - machine_.wall_lower;
-    if (room_ > 0) return;
-    other_ = knocked();
-    room_ = other_.velocity / machine_.omega;
+    other_.position += room_;
   }
 
   /// The turns of some bodies, which move on to the next ones.
@@ -432,6 +337,7 @@ class Settling {
   bool are_alike() const {
     const std::vector<DisturbedTurn>& turns = motion_.turns;
     const std::size_t ranks = turns.front().margins.size();
+    if (ranks == 0) return false;  // next to its release a carrier moves at few phases
     double spread = 0;
     for (const DisturbedTurn& turn : turns) {
       const auto same_wall = [](const Impact& a, const Impact& b) { return a.wall == b.wall; };
@@ -501,16 +407,6 @@ class Settling {
 
 }  // namespace
 
-std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
-                                           int before) {
-  std::vector<TurnStart> starts;
-  for (const double phase : phases) {
-    starts.push_back({scene.omega, phase, scene.start_position, scene.start_velocity});
-  }
-  pass(scene, starts, before);
-  return turns_from(scene, starts);
-}
-
 std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
                                     std::span<const SpeedAndPhase> places) {
   std::vector<TurnStart> starts;
@@ -528,11 +424,6 @@ const DisturbedTurn& extreme_turn(const DisturbedMotion& motion, int rank, Extre
   const auto& turns = motion.turns;
   return extreme == Extreme::least ? *std::min_element(turns.begin(), turns.end(), lower)
                                    : *std::max_element(turns.begin(), turns.end(), lower);
-}
-
-void begin_turns_at_rest(Scene& scene) {
-  const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
-  scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
 }
 
 DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also) {
@@ -558,66 +449,10 @@ DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> als
 
 namespace {
 
-/// What happens in the last turns of a window.
-class LastTurns : public Observer {
- public:
-  LastTurns(const Scene& scene, int before, int turns)
-      : scene_(scene),
-        turn_(circle / scene.omega),
-        start_(turn_ * before),
-        turns_(static_cast<std::size_t>(turns)) {}
-
-  void impact(double time, Wall wall, double speed) {
-    if (time < start_) return;
-    const auto k = static_cast<std::size_t>((time - start_) / turn_);
-    if (k >= turns_.size()) return;
-    turns_[k].fastest = std::max(turns_[k].fastest, speed);
-    turns_[k].energy += impact_loss(scene_, wall) * speed * speed;
-    if (is_counted(speed, scene_.counting_limit)) ++turns_[k].collisions;
-  }
-
-  template <class Path>
-  void stretch(double time, const Path& path, double duration) {
-    if (path.harmonics != 0) return;
-    for (std::size_t k = 0; k < turns_.size(); ++k) {
-      const double from = start_ + turn_ * static_cast<double>(k);
-      const double within = std::min(time + duration, from + turn_) - std::max(time, from);
-      if (within > 0) turns_[k].share_at_rest += within / turn_;
-    }
-  }
-
-  const std::vector<ObservedTurn>& turns() const { return turns_; }
-
- private:
-  const Scene& scene_;
-  double turn_, start_;  // [s]
-  std::vector<ObservedTurn> turns_;
-};
-
 constexpr int irregular_turn_count = 120;  // observed after as many
 constexpr std::size_t mean_phases = 8;
 
 }  // namespace
-
-std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
-                                         int before, int turns) {
-  Scene there = scene;
-  there.window = Revolutions{static_cast<double>(before + turns)};
-  std::vector<LastTurns> last(phases.size(), LastTurns(scene, before, turns));
-  const auto outcomes = run_in_lanes(
-      phases.size(),
-      [&](std::size_t k) {
-        there.disturbance_phase = phases[k];
-        return ImpactModel<double>(there);
-      },
-      [&](std::size_t k) -> LastTurns& { return last[k]; });
-  std::vector<ObservedTurn> all;
-  for (std::size_t k = 0; k < phases.size(); ++k) {
-    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
-    all.insert(all.end(), last[k].turns().begin(), last[k].turns().end());
-  }
-  return all;
-}
 
 std::vector<ObservedTurn> irregular_turns(const DisturbedMotion& motion) {
   return observed_turns(motion.machine, std::span(&motion.machine.disturbance_phase, 1),

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "problems/carrier_track/regimes/disturbed_turn.h"
 #include "ricochet/machine.h"
 #include "ricochet/scene.h"
 
@@ -12,33 +13,6 @@
 /// frequent. Where a rest erases what was before, a turn depends on its phase alone: turns at many
 /// phases, simulated side by side, tell all that happens.
 namespace ricochet::carrier_track::inline regimes {
-
-/// What stands for the margin of an impact that is not there, or slower: some of these are not
-/// simulated.
-inline constexpr double lowest_margin = -2;
-
-/// One turn of the driver plate under a disturbance.
-struct DisturbedTurn {
-  double phase;                 ///< [rad], of the disturbance at the start of the turn
-  std::vector<Impact> impacts;  ///< by time, those of margins above lowest_margin
-  std::vector<double> margins;  ///< ln(speed / counting limit) of these, the largest first
-  double first;                 ///< margin of the first of them by time, or lowest_margin
-  int collisions;
-  double start_position, start_velocity;  ///< [m], [m/s]
-  double end_position, end_velocity;
-
-  /// That of the rank-th fastest impact, rank 1 the fastest; at least lowest_margin.
-  double margin(int rank) const {
-    const bool is_there = rank >= 1 && rank <= static_cast<int>(margins.size());
-    return is_there ? margins[static_cast<std::size_t>(rank - 1)] : lowest_margin;
-  }
-};
-
-/// The turns that follow on `before` turns from the start of a valid scene of fidelity impact, for
-/// these phases [rad] of its disturbance at their start. Side by side, and without the last of a
-/// series of rebounds: impacts are exact where the carrier rests before it moves again.
-std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
-                                           int before);
 
 /// A speed [rad/s] and a phase [rad].
 struct SpeedAndPhase {
@@ -77,29 +51,12 @@ inline bool is_disturbed(const Scene& scene) {
 /// [rad], and between phases whose turns differ so much that turns with fewer or more collisions
 /// may hide there, down to 1e-4 rad. It is settled if every turn begins and ends at rest on one
 /// wall, also if the carrier is knocked off it, or if starts on both walls (without an upper wall:
-/// on the lower one and as high as turns end) are forgotten within 32 turns.
+/// on the lower one and at rest above it) are forgotten within 32 turns.
 DisturbedMotion disturbed_motion(const Scene& scene, std::span<const double> also = {});
 
 /// The turns of a settled motion at another speed [rad/s] and at other phases.
 std::vector<DisturbedTurn> turns_of(const DisturbedMotion& motion,
                                     std::span<const SpeedAndPhase> places);
-
-/// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
-/// in every half turn then rests.
-void begin_turns_at_rest(Scene& scene);
-
-/// A turn, simulated to the last rebound.
-struct ObservedTurn {
-  int collisions;
-  double fastest;        ///< [m/s], 0 without impacts
-  double energy;         ///< [J], that the walls take
-  double share_at_rest;  ///< of the time
-};
-
-/// The `turns` turns that follow on `before` turns from the start of a valid scene of fidelity
-/// impact, for each of these phases [rad] of its disturbance there.
-std::vector<ObservedTurn> observed_turns(const Scene& scene, std::span<const double> phases,
-                                         int before, int turns);
 
 /// The turns that are observed of a motion that does not settle, one after the other.
 std::vector<ObservedTurn> irregular_turns(const DisturbedMotion& motion);

@@ -213,7 +213,7 @@ void add_simulators(CommandLine& line) {
                "  ricochet simulators --tools 'scipy*,ode' --install-tools");
   const auto options = std::make_shared<SimulatorsOptions>();
   add_value(command, "--scenes", options->scenes,
-            "Number of scenes, not 220 for ricochet and its methods and 44 for tools");
+            "Number of scenes, in place of 220 for ricochet and its methods and 44 for tools");
   add_value(command, "--seed", options->seed, "Seed of the scenes");
   add_value(command, "--tools", options->tools,
             "Names or patterns such as 'scipy*', all that are installed, or none");

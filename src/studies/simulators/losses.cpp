@@ -420,6 +420,7 @@ void add_losses(report::Results& all, const Plan& plan) {
   all.set("scenes", results.scenes.size());
   all.set("impacts", results.impacts);
   all.set("tool-scenes", plan.tool_scenes);
+  all.set("tool-seconds", TimeLimits().scene.count());
   all.set("level", name_of(results.shown));
   all.set("lost", shown.front()->tally.wrong());
   all.set("rivals", std::ranges::count_if(shown, [](const Measured* m) { return is_rival(*m); }));

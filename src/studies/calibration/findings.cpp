@@ -53,13 +53,6 @@ Series points_of(std::string_view label) {
   return {std::string(label), Mark::points, {}};
 }
 
-/// Columns whose names say all.
-std::vector<Column> columns_of(std::initializer_list<const char*> names) {
-  std::vector<Column> columns;
-  for (const char* name : names) columns.push_back({name});
-  return columns;
-}
-
 /// A table of fits: its own columns, and those of an appraisal.
 Table table_of_fits(std::string name, std::vector<Column> columns) {
   const std::vector<Column> judged = {{"loss", "loss", ".1f"},
@@ -201,8 +194,8 @@ Chart left_out_chart(const std::vector<Prediction>& predictions) {
 
 /// Each constant with its value, what was allowed, and between what values the claims hold it.
 Table constants_of(const Results& results) {
-  Table table{"constants", columns_of({"constant", "value", "unit", "fitted", "from", "to",
-                                       "determined", "lower", "upper", "why"})};
+  Table table{"constants",
+              columns_named("constant,value,unit,fitted,from,to,determined,lower,upper,why")};
   const Fit& fit = results.choice().fit;
   for (const Unknown open : unknowns_of(fit.interpretation)) {
     const UnknownParameter& c = constant_of(open);
@@ -272,9 +265,10 @@ Chart error_chart(const Results& results) {
 /// What searches for the same constants ended with, a row for each parameterisation, by rising
 /// loss. Appraised is that with the lowest criterion of those within 1 % of the best.
 Table searches_of(const Results& results) {
-  Table table =
-      table_of_fits("searches", columns_of({"interpretation", "constants", "evaluations", "best",
-                                            "as_good", "least_error", "largest_error", "chosen"}));
+  Table table = table_of_fits(
+      "searches",
+      columns_named(
+          "interpretation,constants,evaluations,best,as_good,least_error,largest_error,chosen"));
   if (results.convergence.empty()) return table;
   const LongSearches& plan = *results.plan.long_searches;
   for (const Solver& solver : plan.solvers) {

@@ -361,9 +361,9 @@ std::vector<std::string> notes_on(const Scene& scene, const std::optional<StartS
   }
   const std::optional<double> release = release_speed(scene);
   if (scene.friction * scene.normal_force > 0 && release != 0.0) {
-    notes.push_back(release
-                        ? fmt::format("Friction holds the carrier up to {}.", both_units(*release))
-                        : "Friction and the steady force hold the carrier at every speed.");
+    notes.push_back(
+        release ? fmt::format("Friction holds the carrier still up to {}.", both_units(*release))
+                : "Friction and the steady force hold the carrier still at every speed.");
   }
   if (share && share->dominates()) {
     notes.push_back(fmt::format(

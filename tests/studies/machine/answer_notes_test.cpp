@@ -35,15 +35,15 @@ TEST(AnswerNotes, NameTheRestitutionOfBothWallsIfTheyDiffer) {
 /// slider_mass_radius|).
 TEST(AnswerNotes, SayUpToWhatSpeedFrictionHolds) {
   Scene scene = resting();
-  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("Friction holds the carrier up to 5.501 "
-                                                      "rad/s (52.53 rpm).")));
+  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("Friction holds the carrier still up to "
+                                                      "5.501 rad/s (52.53 rpm).")));
   scene.slider_mass_radius = 0.02;
   scene.pull = 0.5;
   scene.disturbance = 0.3;
   EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("up to 6.644 rad/s (63.44 rpm).")));
   scene.centrifugal = Centrifugal::inward;
   scene.disturbance = 0;
-  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("hold the carrier at every speed")));
+  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("hold the carrier still at every speed")));
   scene.friction = 0;
   EXPECT_THAT(notes_on(scene, {}), testing::IsEmpty());
 }

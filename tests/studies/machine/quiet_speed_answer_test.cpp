@@ -28,7 +28,7 @@ TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
   const std::string window = text_of(answer_for("C3", {Limit{Measure::collisions, 3}, 1e-3, 18}));
   EXPECT_THAT(window, HasSubstr("significance"));
   EXPECT_THAT(window, HasSubstr("certain"));
-  EXPECT_THAT(text_of(found), HasSubstr("Friction holds the carrier up to"));
+  EXPECT_THAT(text_of(found), HasSubstr("Friction holds the carrier still up to"));
   EXPECT_THAT(text_of(answer_for("C1", {Limit{Measure::collisions, 6}, 1e-3, 10})),
               HasSubstr("The window of 1.38 turns is short: 2 of its 5 collisions at 8.0"));
   const auto rising = answer_quiet_speed("mine", planar_second_case(), {}, 0);

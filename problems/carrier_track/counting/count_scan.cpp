@@ -18,8 +18,8 @@ namespace ricochet::carrier_track::inline counting {
 
 namespace {
 
-/// Sums the surrogate in the order of the impacts.
-struct Surrogate : Observer {
+/// Sums the objective in the order of the impacts; the count without its logarithm.
+struct ObjectiveSum : Observer {
   static constexpr bool hears_impacts_alone = true;
 
   const Scene* scene = nullptr;
@@ -28,7 +28,8 @@ struct Surrogate : Observer {
 
   void impact(double time, Wall wall, double speed) {
     auto add = [this](double z, double left) { sum += weight(z, left, smoothing); };
-    Features<double, decltype(add)>(*scene, add).impact(time, wall, speed);
+    if (smoothing != 0) Features<double, decltype(add)>(*scene, add).impact(time, wall, speed);
+    if (smoothing == 0 && is_counted(speed, scene->counting_limit)) sum += 1;
   }
 };
 
@@ -42,17 +43,6 @@ void run_all(const SceneAt& scene_at, std::vector<SomeObserver>& observers) {
   }
 }
 
-/// The collision counts of scenes that suit lanes.
-template <class SceneAt>
-std::vector<int> counts_in_lanes(std::size_t size, const SceneAt& scene_at) {
-  std::vector<ImpactCount> observers(size);
-  for (std::size_t k = 0; k < size; ++k) observers[k].counting_limit = scene_at(k).counting_limit;
-  run_all(scene_at, observers);
-  std::vector<int> counts;
-  for (const ImpactCount& observer : observers) counts.push_back(observer.count);
-  return counts;
-}
-
 }  // namespace
 
 bool suits_lanes(const Scene& scene) {
@@ -60,37 +50,38 @@ bool suits_lanes(const Scene& scene) {
 }
 
 std::vector<double> objectives(std::span<const Scene> scenes, double smoothing) {
-  std::vector<double> results;
+  std::vector<double> results(scenes.size());
   if (!std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
-    for (const Scene& scene : scenes) results.push_back(objective(scene, smoothing));
+    for (std::size_t k = 0; k < scenes.size(); ++k) results[k] = objective(scenes[k], smoothing);
     return results;
   }
-  const auto scene_at = [&](std::size_t k) -> const Scene& { return scenes[k]; };
-  if (smoothing == 0) {
-    const std::vector<int> counts = counts_in_lanes(scenes.size(), scene_at);
-    return {counts.begin(), counts.end()};
-  }
-  std::vector<Surrogate> observers(scenes.size());
-  for (std::size_t k = 0; k < scenes.size(); ++k) {
-    observers[k].scene = &scenes[k];
-    observers[k].smoothing = smoothing;
-  }
-  run_all(scene_at, observers);
-  for (const Surrogate& observer : observers) results.push_back(observer.sum);
+  // Lanes wait for the body with the most rebounds, so similar restitutions become neighbours.
+  std::vector<ObjectiveSum> observers;
+  for (const Scene& scene : scenes) observers.push_back({{}, &scene, smoothing});
+  std::stable_sort(observers.begin(), observers.end(), [](const auto& a, const auto& b) {
+    return a.scene->restitution_lower < b.scene->restitution_lower;
+  });
+  run_all([&](std::size_t k) -> const Scene& { return *observers[k].scene; }, observers);
+  for (const auto& o : observers) results[static_cast<std::size_t>(o.scene - &scenes[0])] = o.sum;
   return results;
 }
 
 std::vector<int> counts_at(const Scene& scene, std::span<const double> speeds) {
+  std::vector<int> counts;
   Scene there = at_speed(scene, 0.0);
   if (!suits_lanes(there)) {
-    std::vector<int> counts;
     for (const double omega : speeds) counts.push_back(count_at(scene, omega));
     return counts;
   }
-  return counts_in_lanes(speeds.size(), [&](std::size_t k) -> const Scene& {
+  std::vector<ImpactCount> observers(speeds.size());
+  for (ImpactCount& observer : observers) observer.counting_limit = scene.counting_limit;
+  const auto scene_at = [&](std::size_t k) -> const Scene& {
     there.omega = speeds[k];
     return there;
-  });
+  };
+  run_all(scene_at, observers);
+  for (const ImpactCount& observer : observers) counts.push_back(observer.count);
+  return counts;
 }
 
 std::vector<int> counts(const Scene& scene, std::span<const double> speeds) {

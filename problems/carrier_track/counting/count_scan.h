@@ -13,7 +13,7 @@
 #include "src/core/in_parallel.h"
 
 /// objective() for many scenes, with the same bits. If possible they are simulated side by side
-/// (impact_model.h), which is several times as fast. Neighbours should be similar.
+/// (impact_model.h), which is several times as fast. Neighbouring speeds should be similar.
 namespace ricochet::carrier_track::inline counting {
 
 /// Counts as objective() does under the rule of impacts, without its logarithm.

@@ -53,6 +53,19 @@ TEST(Counts, AskWhetherAnImpactIsFasterThanTheSlowestAsTheLogarithmDoes) {
   }
 }
 
+TEST(Counts, AndSurrogatesOfManyScenesAreThoseOfEach) {
+  RandomScenes random(7);
+  std::vector<Scene> scenes(50);
+  for (Scene& scene : scenes) scene = random.next();
+  for (const double smoothing : {0.0, 0.25}) {
+    const std::vector<double> results = objectives(scenes, smoothing);
+    ASSERT_EQ(results.size(), scenes.size());
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      EXPECT_EQ(results[k], objective(scenes[k], smoothing)) << k;
+    }
+  }
+}
+
 TEST(Counts, OfAnInvalidSceneOrSpeedAreRefused) {
   Scene scene = RandomScenes(8).next();
   EXPECT_EQ(counts(scene, speeds), counts_at(scene, speeds));

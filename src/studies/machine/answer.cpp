@@ -387,8 +387,8 @@ std::string planar_sentence(const Scene& scene, double omega) {
   }
   return fmt::format(
       "Yes: at {:.3f} rad/s the carrier also moves across its track, or is pressed to a wall "
-      "there, "
-      "and friction couples this to the motion along it. With fidelity = \"planar\" in your file "
+      "there, and friction couples this to the motion along it. With fidelity = \"planar\" in your "
+      "file "
       "its window is counted in both directions.",
       omega);
 }

@@ -35,7 +35,8 @@ constexpr double widest_gap = circle / 64, widest_moving_gap = circle / 128;
 /// Numbers of turns whose rests erase the start, if it is not where turns start.
 constexpr int erasing_turns[] = {2, 8, 32};
 constexpr int recorded_turns = 20;    // of each of a few flights that have forgotten their starts
-constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
+constexpr double same_start = 1e-9;   // of the clearance and of the counting limit
+constexpr double same_end = 1e-6;     // of the same
 constexpr double same_margin = 1e-9;  // of turns that are the same
 constexpr std::size_t most_phases = 2000;
 constexpr double narrowest_gap = 1e-4;  // [rad]
@@ -70,6 +71,17 @@ double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const Distur
     largest = std::max(largest, bend(a.margin(rank), b.margin(rank), c.margin(rank)));
   }
   return largest;
+}
+
+/// The same of the velocities [m/s] at which turns start and end: an impact that counts, and passes
+/// from one turn to the next between two phases, changes them by more than the counting limit.
+double velocity_bend(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
+                     double ratio) {
+  const auto bend = [ratio](double at_a, double at_b, double at_c) {
+    return std::abs(at_c - at_b - ratio * (at_b - at_a));
+  };
+  return std::max(bend(a.start_velocity, b.start_velocity, c.start_velocity),
+                  bend(a.end_velocity, b.end_velocity, c.end_velocity));
 }
 
 /// Takes the fewest and the most collisions of some turns.
@@ -243,8 +255,9 @@ class Settling {
       starts.insert(starts.end(), others.begin(), others.end());
       pass(machine_, starts, motion_.turns_before);
       const auto half = starts.begin() + static_cast<std::ptrdiff_t>(phases.size());
-      const bool are_one = std::equal(starts.begin(), half, half, [](const auto& a, const auto& b) {
-        return a.position == b.position && a.velocity == b.velocity;
+      const bool are_one = std::equal(starts.begin(), half, half, [this](auto& a, auto& b) {
+        return std::abs(a.position - b.position) <= same_start * room_ &&
+               std::abs(a.velocity - b.velocity) <= same_start * machine_.counting_limit;
       });
       if (are_one) return take_from({starts.begin(), half});
       std::vector<DisturbedTurn> turns = turns_from(machine_, starts);
@@ -390,7 +403,10 @@ class Settling {
                                    bend_between(d, c, b, ratio(gap_after(k + 1))));
       const bool may_not_return =
           motion_.turns_before == 0 && std::abs(b.collisions - c.collisions) > 1;
-      const bool jumps = may_not_return || std::abs(b.end_position - c.end_position) > apart;
+      const double kick = std::max(velocity_bend(a, b, c, ratio(gap_after(k - 1))),
+                                   velocity_bend(d, c, b, ratio(gap_after(k + 1))));
+      const bool jumps = may_not_return || std::abs(b.end_position - c.end_position) > apart ||
+                         kick > machine_.counting_limit / 2;
       const double share = begin_on_one_wall(b, c) ? 1 : 0.5;
       if (jumps || bend > share * distance(b, c)) middles.push_back(b.phase + gap / 2);
     }

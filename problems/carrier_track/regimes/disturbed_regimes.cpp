@@ -44,7 +44,8 @@ struct Change {
 /// A range of speeds in which the motion is of one kind.
 class Stretch {
  public:
-  Stretch(DisturbedMotion first, double from) : from_(from) {
+  Stretch(DisturbedMotion first, double from)
+      : from_(from), first_least_(first.least), first_most_(first.most) {
     first_ = long_run_of(first);
     samples_.push_back(std::move(first));
   }
@@ -199,6 +200,7 @@ class Stretch {
         tip.omega = out.omega();
       }
       DisturbedMotion end = motion_at(tip.omega * (1 + away), {tip.phase});
+      if (end.moves && !end.settled) out.resolved = false;
       const bool goes_on = same_kind(end, in) && has_beyond(end, rank, extreme) &&
                            (out.omega() - end.omega()) * away > 0;
       in = std::move(end);
@@ -260,8 +262,8 @@ class Stretch {
     int ranks = 0;
     for (const DisturbedMotion& motion : samples_) ranks = std::max(ranks, motion.most);
     for (int rank = 1; rank <= ranks; ++rank) {
-      most[rank] = has_beyond(samples_[0], rank, Extreme::most) ? 1 : 0;
-      least[rank] = has_beyond(samples_[0], rank, Extreme::least) ? 1 : 0;
+      most[rank] = first_most_ >= rank ? 1 : 0;
+      least[rank] = first_least_ < rank ? 1 : 0;
     }
     std::vector<Change> changes = changes_;
     std::stable_sort(changes.begin(), changes.end(),
@@ -308,6 +310,7 @@ class Stretch {
   }
 
   double from_;
+  int first_least_, first_most_;  // as first seen: what is found there later is a change
   LongRun first_;
   std::vector<DisturbedMotion> samples_;
   std::size_t solved_ = 0;  // the borders up to this sample are known

@@ -132,8 +132,8 @@ class Tip {
     std::vector<SpeedAndPhase> places = {{omega, in_.phase}, {omega, guess}};
     double aside = farthest_probe;
     for (int k = 0; k < probes_beside; ++k, aside /= 4) {
-      places.push_back({omega, in_.phase - aside});
-      places.push_back({omega, in_.phase + aside});
+      places.push_back({omega, guess - aside});
+      places.push_back({omega, guess + aside});
     }
     std::vector<double> beyond;
     for (const DisturbedTurn& turn : turns_of(motion_, places)) {
@@ -157,7 +157,7 @@ class Tip {
   static constexpr double farthest_tip = 0.5;   // [rad], from the first phase
   static constexpr double sharp = 1e-9;  // relative width at which a bracket of speeds is a border
   static constexpr double farthest_probe = 0.1;  // [rad]
-  static constexpr int probes_beside = 7;  // on each side, four times as near from one to the next
+  static constexpr int probes_beside = 11;  // on each side, four times as near from one to the next
   static constexpr int most_restarts = 20;
 
   /// The margin of an impact at the middle of the stencil, and its derivatives.

@@ -19,7 +19,7 @@ inline bool has_beyond(const DisturbedMotion& motion, int rank, Extreme extreme)
 
 /// The last speed and phase of such turns.
 struct PhaseTip {
-  double omega;     ///< [rad/s]; to some 1e-13, relative, if smooth, else to 1e-9
+  double omega;     ///< [rad/s]; to some 1e-13, relative, if smooth, else to 1e-6
   double phase;     ///< [rad]
   bool is_reached;  ///< false: there still are such turns at the speed that was searched up to
   bool is_smooth;   ///< the impact passes the counting limit; false: it appears or vanishes

@@ -113,11 +113,12 @@ TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
     double omega;
   };
   // Where margins change much from phase to phase, where impacts appear and vanish between two even
-  // phases, where a turn begins after an impact.
+  // phases, where an impact passes from one turn to the next, where slow impacts nearly graze.
   int unseen = 0;  // by even phases
   for (const auto& [seed, omega] :
        {Rare{30, 0.870569255}, Rare{42, 2.132245922}, Rare{18, 0.7404758458},
-        Rare{51, 0.5759682684}, Rare{27, 7.9598}, Rare{50, 5.2931}}) {
+        Rare{51, 0.5759682684}, Rare{27, 7.9598}, Rare{50, 5.2931}, Rare{18, 0.98},
+        Rare{27, 8.63544}}) {
     const DisturbedMotion motion =
         disturbed_motion(at_speed(random_disturbed_machine(seed), omega));
     ASSERT_TRUE(motion.settled);

@@ -403,6 +403,16 @@ TEST(Regimes, OfADisturbedMachineBeginAgainAfterABorder) {
   }
 }
 
+/// Up to 0.9926745 rad/s the carrier strikes just after a turn begins, at ever fewer phases.
+TEST(Regimes, OfADisturbedMachineEndWhereverTheirRangeBegins) {
+  for (const auto& [from, to] : {std::pair{0.98, 1.0}, std::pair{0.9, 1.1}}) {
+    const auto regimes = regimes_of(random_disturbed_machine(18), {from, to});
+    ASSERT_EQ(regimes.size(), 2U) << from;
+    EXPECT_NEAR(regimes[0].to, 0.9926745, 1e-6);
+    EXPECT_EQ(std::pair(regimes[0].most_per_turn, regimes[1].most_per_turn), std::pair(3.0, 2.0));
+  }
+}
+
 TEST(Regimes, RefuseWhatTheyCannotTell) {
   const Scene machine = default_machine();
   EXPECT_THROW(regimes_of(machine, {0, 18}), InputError);

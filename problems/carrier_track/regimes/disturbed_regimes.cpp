@@ -118,7 +118,7 @@ class Stretch {
   }
 
   /// Whether a margin that has one sign at two neighbours may have the other between them: if the
-  /// lines through both and their other neighbours meet beyond 0.
+  /// lines through both and their other neighbours meet beyond 0, or pass it.
   bool may_hide(std::size_t k) const {
     const DisturbedMotion& a = samples_[k];
     const DisturbedMotion& b = samples_[k + 1];
@@ -144,7 +144,10 @@ class Stretch {
     };
     const double rise = k == 0 ? 0 : slope_to(k - 1, x1, y1);
     const double fall = k + 2 == samples_.size() ? 0 : slope_to(k + 2, x2, y2);
-    if (rise <= 0 || fall >= 0) return false;
+    // One line alone may pass 0, and the margin jump where an impact vanishes.
+    if (rise <= 0 || fall >= 0) {
+      return std::max(y1 + rise * (x2 - x1), y2 + fall * (x1 - x2)) > 0;
+    }
     const double meet = std::clamp((y2 - y1 + rise * x1 - fall * x2) / (rise - fall), x1, x2);
     return std::max(y1 + rise * (meet - x1), y2 + fall * (meet - x2)) > 0;
   }

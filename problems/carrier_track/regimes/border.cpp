@@ -144,41 +144,47 @@ Border solved(const Bracket& bracket) {
           bracket.after};
 }
 
-Border border_within(const Bracket& bracket);
+Border border_within(const Bracket& bracket, int tries);
 
-Border border_of_kind(const Bracket& bracket) {
+/// Among motions that do not settle, kind and count may change in turn without end: after so many
+/// `tries` the place where the kind changes is the border.
+Border border_of_kind(const Bracket& bracket, int tries) {
   const Signature kind = signature_of(bracket.before);
   if (!kind.moves) return release(bracket);
   const Bracket end =
       change(bracket, [&](const Signature& there) { return there.same_kind(kind); });
   // The count may have changed before the kind did.
-  if (!(signature_of(end.before) == kind)) return border_within({bracket.before, end.before});
+  if (tries > 0 && !(signature_of(end.before) == kind)) {
+    return border_within({bracket.before, end.before}, tries - 1);
+  }
   return solved(end);
 }
 
-Border border_of_count(const Bracket& bracket, int rank) {
+Border border_of_count(const Bracket& bracket, int rank, int tries) {
   const auto margin = [rank](const SteadyMotion& motion) { return rank_margin(motion, rank); };
   const Bracket end = sign_change(bracket, margin);
   // The kind may have changed, and changed back, on the way.
   if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
-    return border_of_kind({bracket.before, end.before});
+    return border_of_kind({bracket.before, end.before}, tries);
   }
   const bool passes =
       std::abs(margin(end.before)) < continuous && std::abs(margin(end.after)) < continuous;
   return {end.to(), passes ? RegimeEnd::counting_limit : RegimeEnd::grazing, end.before, end.after};
 }
 
-Border border_within(const Bracket& bracket) {
+Border border_within(const Bracket& bracket, int tries) {
   const Signature a = signature_of(bracket.before);
   const Signature b = signature_of(bracket.after);
-  if (!a.same_kind(b)) return border_of_kind(bracket);
-  return border_of_count(bracket, b.collisions > a.collisions ? a.collisions + 1 : a.collisions);
+  if (!a.same_kind(b)) return border_of_kind(bracket, tries);
+  const bool more = b.collisions > a.collisions;
+  return border_of_count(bracket, more ? a.collisions + 1 : a.collisions, tries);
 }
 
 }  // namespace
 
 Border first_border(const SteadyMotion& near, const SteadyMotion& far) {
-  return border_within({near, far});
+  constexpr int most_tries = 10;
+  return border_within({near, far}, most_tries);
 }
 
 namespace {

@@ -421,6 +421,22 @@ TEST(Regimes, OfADisturbedMachineFindAMarginThatPassesZeroAndJumps) {
   EXPECT_EQ(regime_at(regimes, 7.25).most_per_turn, 17);
 }
 
+/// An almost elastic machine with three tenths of its friction: next to where its period doubles,
+/// motions that settle in time and motions that do not follow each other at steps of rounding.
+TEST(Regimes, EndWhereKindAndCountChangeInTurn) {
+  Scene machine = strange_machine(10);
+  machine.friction *= 0.3;
+  const auto regimes = regimes_of(machine, {4, 4.4});
+  EXPECT_EQ(regimes.back().to, 4.4);
+  for (const auto& [omega, per_turn] :
+       {std::pair{4.1, 0.0}, std::pair{4.225, 0.5}, std::pair{4.25, 1.0}}) {
+    const Regime& here = regime_at(regimes, omega);
+    EXPECT_EQ(here.collisions_per_turn, per_turn) << omega;
+    const Scene there = brought(here.first.orbit, omega);
+    EXPECT_EQ(collisions_in_the_long_run(there, omega, 3000, 400), per_turn) << omega;
+  }
+}
+
 TEST(Regimes, RefuseWhatTheyCannotTell) {
   const Scene machine = default_machine();
   EXPECT_THROW(regimes_of(machine, {0, 18}), InputError);

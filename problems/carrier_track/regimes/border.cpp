@@ -154,10 +154,8 @@ Border border_of_kind(const Bracket& bracket, int tries) {
   const Bracket end =
       change(bracket, [&](const Signature& there) { return there.same_kind(kind); });
   // The count may have changed before the kind did.
-  if (tries > 0 && !(signature_of(end.before) == kind)) {
-    return border_within({bracket.before, end.before}, tries - 1);
-  }
-  return solved(end);
+  const bool is_first = tries == 0 || signature_of(end.before) == kind;
+  return is_first ? solved(end) : border_within({bracket.before, end.before}, tries - 1);
 }
 
 Border border_of_count(const Bracket& bracket, int rank, int tries) {

@@ -145,9 +145,8 @@ class Stretch {
     const double rise = k == 0 ? 0 : slope_to(k - 1, x1, y1);
     const double fall = k + 2 == samples_.size() ? 0 : slope_to(k + 2, x2, y2);
     // One line alone may pass 0, and the margin jump where an impact vanishes.
-    if (rise <= 0 || fall >= 0) {
-      return std::max(y1 + rise * (x2 - x1), y2 + fall * (x1 - x2)) > 0;
-    }
+    const double alone = std::max(y1 + rise * (x2 - x1), y2 + fall * (x1 - x2));
+    if (rise <= 0 || fall >= 0) return alone > 0;
     const double meet = std::clamp((y2 - y1 + rise * x1 - fall * x2) / (rise - fall), x1, x2);
     return std::max(y1 + rise * (meet - x1), y2 + fall * (meet - x2)) > 0;
   }

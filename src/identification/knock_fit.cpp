@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/identification/knock_problem.h"
+#include "ricochet/error.h"
 #include "src/core/time_limit.h"
 
 namespace ricochet::studies::identification {
@@ -135,6 +136,12 @@ void search_all(const KnockLoss& loss, Search& search, std::size_t starts, Knock
   };
   for (const Vector& x : fit_starts(loss, starts, random)) {
     if (keep_better(x, {0.06, 0.03, 0.015, 0.006})) break;
+  }
+  if (best.x.size() == 0) {
+    throw InputError(
+        "no start of the fit can be improved, since the impacts that it predicts depend on the "
+        "constants without limit: put a restitution, friction and clearance that are nearer to the "
+        "machine's into its file");
   }
   if (!loss.record().plate) {
     // Half a turn further the walls swap their roles: only a pull tells them apart.

@@ -6,9 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "ricochet/solver.h"
 #include "src/identification/identified_machine.h"
 #include "tests/carrier_track/identification/example_record.h"
+#include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::studies::identification {
 namespace {
@@ -78,6 +80,21 @@ TEST(KnockFit, IsTheSameByAnotherSolver) {
   const KnockFit one = fit_knocks(loss, solver_named(usual_solver));
   const KnockFit other = fit_knocks(loss, solver_named("nlopt-lbfgs"));
   EXPECT_NEAR(one.loss, other.loss, 0.05);
+}
+
+/// Without loss, and pulled as hard as it is thrown, the impacts of a minute depend on the
+/// constants by more than a number can hold.
+TEST(KnockFit, IsRefusedWhereImpactsDependOnTheConstantsWithoutLimit) {
+  Scene elastic = strange_machine(90);
+  elastic.fidelity = Fidelity::impact;
+  elastic.rule = CountRule::impacts;
+  elastic.disturbance = 0;
+  elastic.restitution_lower = elastic.restitution_upper = 1;
+  const std::vector<SpeedKnot<double>> speed = {{0, 4.6}, {60, 16.3}};
+  Random random(90);
+  const KnockRecord record = synthetic_knocks(elastic, speed, {}, random);
+  const KnockLoss loss(elastic, record);
+  EXPECT_THROW(fit_knocks(loss, solver_named(usual_solver)), InputError);
 }
 
 }  // namespace

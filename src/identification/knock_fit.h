@@ -23,7 +23,7 @@ struct KnockFit {
 
 /// Searches from several starts, at most `starts`, until the same minimum has been found twice.
 /// The solver must take gradients. Throws what a simulation throws; TimeLimitReached only if no
-/// start has been followed to its end.
+/// start has been followed to its end; InputError if none can be improved.
 KnockFit fit_knocks(const carrier_track::KnockLoss& loss, const Solver& solver,
                     std::size_t starts = 8);
 

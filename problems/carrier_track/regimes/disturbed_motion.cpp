@@ -57,31 +57,32 @@ bool are_same(const DisturbedTurn& a, const DisturbedTurn& b, double room, doubl
   return true;
 }
 
-/// By how much margins that are not slow differ at `c` from the line through those at `a` and `b`,
-/// which goes on by `ratio` of their distance.
-double bend_between(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
-                    double ratio) {
-  const auto bend = [ratio](double at_a, double at_b, double at_c) {
-    const double x = std::max(at_a, slow), y = std::max(at_b, slow), z = std::max(at_c, slow);
-    return std::abs(z - y - ratio * (y - x));
+/// By how much `c` differs from the line through `a` and `b`, which goes on by `ratio` of their
+/// distance.
+double bend(double a, double b, double c, double ratio) {
+  return std::abs(c - b - ratio * (b - a));
+}
+
+/// The largest bend of the margins that are not slow.
+double margin_bend(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
+                   double ratio) {
+  const auto at = [ratio](double x, double y, double z) {
+    return bend(std::max(x, slow), std::max(y, slow), std::max(z, slow), ratio);
   };
-  double largest = bend(a.first, b.first, c.first);
+  double largest = at(a.first, b.first, c.first);
   const auto ranks = std::max({a.margins.size(), b.margins.size(), c.margins.size()});
   for (int rank = 1; rank <= static_cast<int>(ranks); ++rank) {
-    largest = std::max(largest, bend(a.margin(rank), b.margin(rank), c.margin(rank)));
+    largest = std::max(largest, at(a.margin(rank), b.margin(rank), c.margin(rank)));
   }
   return largest;
 }
 
-/// The same of the velocities [m/s] at which turns start and end: an impact that counts, and passes
+/// That of the velocities [m/s] at which turns start and end: an impact that counts, and passes
 /// from one turn to the next between two phases, changes them by more than the counting limit.
 double velocity_bend(const DisturbedTurn& a, const DisturbedTurn& b, const DisturbedTurn& c,
                      double ratio) {
-  const auto bend = [ratio](double at_a, double at_b, double at_c) {
-    return std::abs(at_c - at_b - ratio * (at_b - at_a));
-  };
-  return std::max(bend(a.start_velocity, b.start_velocity, c.start_velocity),
-                  bend(a.end_velocity, b.end_velocity, c.end_velocity));
+  return std::max(bend(a.start_velocity, b.start_velocity, c.start_velocity, ratio),
+                  bend(a.end_velocity, b.end_velocity, c.end_velocity, ratio));
 }
 
 /// Takes the fewest and the most collisions of some turns.
@@ -399,16 +400,15 @@ class Settling {
         return beside < gap / 2 ? 0 : std::min(1.0, gap / beside);
       };
       const auto &a = turn(k - 1), &d = turn(k + 2);
-      const double bend = std::max(bend_between(a, b, c, ratio(gap_after(k - 1))),
-                                   bend_between(d, c, b, ratio(gap_after(k + 1))));
+      const double before = ratio(gap_after(k - 1)), after = ratio(gap_after(k + 1));
+      const double off = std::max(margin_bend(a, b, c, before), margin_bend(d, c, b, after));
+      const double kick = std::max(velocity_bend(a, b, c, before), velocity_bend(d, c, b, after));
       const bool may_not_return =
           motion_.turns_before == 0 && std::abs(b.collisions - c.collisions) > 1;
-      const double kick = std::max(velocity_bend(a, b, c, ratio(gap_after(k - 1))),
-                                   velocity_bend(d, c, b, ratio(gap_after(k + 1))));
       const bool jumps = may_not_return || std::abs(b.end_position - c.end_position) > apart ||
                          kick > machine_.counting_limit / 2;
       const double share = begin_on_one_wall(b, c) ? 1 : 0.5;
-      if (jumps || bend > share * distance(b, c)) middles.push_back(b.phase + gap / 2);
+      if (jumps || off > share * distance(b, c)) middles.push_back(b.phase + gap / 2);
     }
     return middles;
   }

@@ -128,6 +128,9 @@ struct Problem {
   /// starts at its own image of start_scales[(k - 1) % size] times the start.
   std::vector<double> start_scales = {};
 
+  /// Problems of one cluster are alike, such as one function at several sizes or starts, or one
+  /// machine: statistics draw clusters. Empty: it is alone in one of its name.
+  std::string cluster = {};
   std::string machine = {};  ///< whose scene it is, e.g. "C1"; empty where it is of none
   double smoothing = 0;      ///< smoothing parameter of the formulation "surrogate"
   /// Optimality gap that still counts as solved: >= 0, and no less than what constraint_tolerance

@@ -28,6 +28,16 @@ double Outcome::optimality_gap() const {
   return verdict.returned_optimality_gap.value_or(std::numeric_limits<double>::infinity());
 }
 
+double merit_gap(const Problem& problem, const Outcome& outcome) {
+  if (!outcome.returned) return std::numeric_limits<double>::infinity();
+  const auto& [objective, violation] = *outcome.returned;
+  const double gap = std::max(0.0, objective - problem.best_known.value());
+  const double merit = violation > 0 ? gap + problem.penalty_weight * violation : gap;
+  return std::isnan(merit) || std::isnan(violation) || std::isnan(objective)
+             ? std::numeric_limits<double>::infinity()
+             : merit;
+}
+
 std::vector<Step> steps_of(const Outcome& outcome) {
   const auto& gap = outcome.verdict.returned_optimality_gap;
   if (!gap) return {};
@@ -57,6 +67,7 @@ Outcome outcome_of(const RunRecord& record, double best_known, double tolerance)
   Outcome outcome;
   outcome.instance = record.instance;
   outcome.verdict = judge(record, best_known, tolerance);
+  if (record.returned) outcome.returned = record.returned->true_values;
   outcome.evaluations = record.ledger.charged;
   outcome.values = record.ledger.values;
   outcome.derivatives = record.ledger.derivatives;

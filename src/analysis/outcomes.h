@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,13 +46,14 @@ enum class Criterion { returned, evaluated };
 struct Outcome {
   int instance = 0;
   Verdict verdict;
-  std::int64_t evaluations = 0;      ///< charged in all
-  std::int64_t values = 0;           ///< asked for in all
-  std::int64_t derivatives = 0;      ///< asked for in all
-  double seconds = 0;                ///< processor time in all
-  std::vector<Step> steps;           ///< of the best evaluated point
-  std::vector<Reason> terminations;  ///< of every start
-  std::string failure;               ///< what was thrown; empty if nothing
+  std::optional<TrueValues> returned = {};  ///< of the returned point, feasible or not
+  std::int64_t evaluations = 0;             ///< charged in all
+  std::int64_t values = 0;                  ///< asked for in all
+  std::int64_t derivatives = 0;             ///< asked for in all
+  double seconds = 0;                       ///< processor time in all
+  std::vector<Step> steps;                  ///< of the best evaluated point
+  std::vector<Reason> terminations;         ///< of every start
+  std::string failure;                      ///< what was thrown; empty if nothing
 
   bool solved(Criterion criterion = Criterion::returned) const {
     return criterion == Criterion::returned ? verdict.returned_solved : verdict.solved;
@@ -59,6 +61,11 @@ struct Outcome {
   /// The optimality gap of the returned point; infinite if it is not feasible.
   double optimality_gap() const;
 };
+
+/// The optimality gap of the returned point, >= 0; of an infeasible one what it exceeds the best
+/// value by, if it does, and the problem's penalty weight times its violation. Infinite without a
+/// point.
+double merit_gap(const Problem& problem, const Outcome& outcome);
 
 /// The improvements that led to the returned point: those of the best evaluated one as far as the
 /// first that is as good as the returned one, whose optimality gap the last step has. A run that

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -91,7 +93,7 @@ bool is_ranked(const ByProblem& entry, const std::vector<std::size_t>& problems)
   return 2 * entry.size() >= problems.size();
 }
 
-RankedEntries ranked(const std::map<Name, ByProblem>& entries,
+RankedEntries ranked(const Comparison& comparison, const std::map<Name, ByProblem>& entries,
                      const std::vector<std::size_t>& problems) {
   RankedEntries all;
   std::vector<const ByProblem*> results;
@@ -102,6 +104,7 @@ RankedEntries ranked(const std::map<Name, ByProblem>& entries,
   }
   for (const std::size_t q : problems) {
     RivalsAhead of_problem = on_problem(results, q);
+    of_problem.cluster = cluster_of(comparison.campaign->problems()[q]);
     if (!of_problem.entries.empty()) all.problems.push_back(std::move(of_problem));
   }
   return all;
@@ -115,7 +118,9 @@ Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comp
   rating.formulation = name.second;
   rating.problems = static_cast<int>(mine.size());
   std::vector<std::vector<double>> times;
+  std::vector<std::string> clusters;
   for (const auto& [q, result] : mine) {
+    clusters.push_back(cluster_of(comparison.problem_of(*result)));
     rating.surrogate = result->cell->formulation.smoothing > 0;
     times.push_back(hitting_times(comparison.problem_of(*result), *result));
     int found = 0;
@@ -130,9 +135,11 @@ Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comp
     rating.returned += returned / all;
   }
   for (const double place : places(static_cast<double>(comparison.part->budgets[budget]))) {
-    const auto share = empirical_distribution(times, place);
+    const auto share = empirical_distribution(times, place, clusters);
     rating.progress.push_back({place, share.mean, share.interval});
   }
+  rating.clusters =
+      static_cast<int>(std::set<std::string>(clusters.begin(), clusters.end()).size());
   return rating;
 }
 
@@ -145,7 +152,7 @@ void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::
   }
   const bool solved =
       std::any_of(ratings.begin(), ratings.end(), [](const Rating* r) { return r->returned > 0; });
-  if (!solved || places.problems.size() < 2) return;
+  if (!solved || clusters_of(places.problems).size() < 2) return;
   const auto probabilities = probabilities_of_being_first(
       places.problems, size, seed_of("rating", "", static_cast<int>(budget), 0));
   for (std::size_t e = 0; e < size; ++e) {
@@ -157,7 +164,7 @@ void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::
 
 RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
                              std::size_t budget) {
-  return ranked(by_entry(comparison, problems, budget), problems);
+  return ranked(comparison, by_entry(comparison, problems, budget), problems);
 }
 
 std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
@@ -173,7 +180,7 @@ std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::si
     if (is_ranked(mine, problems)) compared.push_back(&ratings[k]);
     ++k;
   }
-  set_ranks(compared, ranked(entries, problems), budget);
+  set_ranks(compared, ranked(comparison, entries, problems), budget);
   const auto key = [](const Rating& r) {
     return std::tuple(r.rank.value_or(never), -r.problems, -r.returned);
   };

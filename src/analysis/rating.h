@@ -15,7 +15,7 @@
 namespace ricochet::comparison {
 
 /// Share of the pairs of problem and target that an entry reached within `evaluations` for each
-/// variable, with its interval over problems.
+/// variable, with its interval over clusters of problems.
 struct Reach {
   double evaluations;
   double share;
@@ -28,6 +28,7 @@ struct Rating {
   std::string formulation;
   bool surrogate = false;  ///< it saw a surrogate: which evaluated point is best it could not know
   int problems = 0;        ///< number of problems that the solver takes in this formulation
+  int clusters = 0;        ///< of these problems
   int never = 0;           ///< number of these that no run solved
   double found = 0;        ///< success rate by the best evaluated points, mean over the problems
   double returned = 0;     ///< the same by the returned points
@@ -36,7 +37,7 @@ struct Rating {
   /// that only some of them take counts as if all did. Empty if the entry is not ranked.
   std::optional<double> rank;
   /// Probability of having the least mean rank on problems like these. Empty if the entry is not
-  /// ranked, if there is only one problem, or if no entry solved a run.
+  /// ranked, if there is only one cluster of problems, or if no entry solved a run.
   std::optional<double> probability_of_being_best;
 };
 

@@ -127,6 +127,10 @@ std::map<std::size_t, std::int64_t> largest_budgets(const std::vector<CellResult
   return largest;
 }
 
+const std::string& cluster_of(const Problem& problem) {
+  return problem.cluster.empty() ? problem.name : problem.cluster;
+}
+
 std::vector<std::size_t> Comparison::problems() const {
   std::vector<std::size_t> all;
   for (const CellResult& result : results) {
@@ -145,7 +149,9 @@ Comparison comparison_of(const Campaign& campaign, const std::vector<CellResult>
     const bool asked =
         std::find(cell.parts.begin(), cell.parts.end(), conditions.part) != cell.parts.end() &&
         cell.cell.perturbation == conditions.perturbation &&
-        cell.cell.gradient_price == conditions.gradient_price && conditions.run < cell.seeds;
+        std::ranges::find(cell.gradient_prices, conditions.gradient_price) !=
+            cell.gradient_prices.end() &&
+        conditions.run < cell.seeds;
     if (!asked) continue;
     comparison.results.push_back({&cell,
                                   result.outcomes.every(static_cast<std::size_t>(cell.seeds),

@@ -73,6 +73,9 @@ struct Conditions {
   int run = 0;
 };
 
+/// The cluster of a problem, whose problems are alike; see Problem::cluster.
+const std::string& cluster_of(const Problem& problem);
+
 /// Results of one part of a campaign under the same conditions: their cells differ only in problem,
 /// formulation, solver and budget, and each has one outcome for each instance.
 struct Comparison {

@@ -116,6 +116,19 @@ std::optional<std::int64_t> gradient_price_of(const std::string& price, const Pr
   return std::stoll(price);
 }
 
+/// Whether what the solver is charged depends on the price of a gradient. A user's solver may ask
+/// for gradients that it does not need.
+bool pays_for_gradients(const Solver& solver) {
+  const Capabilities& needs = solver.capabilities;
+  return needs.derivatives != Capabilities::Order::value || needs.needs_residuals ||
+         !solver.content.empty();
+}
+
+template <class Entry>
+void add_once(std::vector<Entry>& entries, const Entry& entry) {
+  if (std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
+}
+
 bool asks_for(const PlanPart& part, const Problem& problem) {
   const std::int64_t n = problem.dimension();
   return is_chosen(problem, part.problems) && n >= part.least_variables &&
@@ -284,13 +297,17 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
                        const Solver& solver) {
     for (const std::string& price : part.gradient_prices) {
       for (const std::int64_t budget : part.budgets) {
+        Budget spent{budget * problem.dimension()};
+        spent.gradient_price = gradient_price_of(price, problem);
+        // Runs that are the same at several prices are made and stored once.
+        const bool as_n =
+            !pays_for_gradients(solver) || spent.gradient_price == problem.dimension();
+        if (as_n) spent.gradient_price = std::nullopt;
         const Cell cell{
-            problem.name, problem.name_of(formulation), perturbation.name, solver.name, budget,
-            price};
+            problem.name, problem.name_of(formulation),      perturbation.name, solver.name,
+            budget,       spent.gradient_price ? price : "n"};
         const auto [known, fresh] = places_.try_emplace(cell, cells_.size());
         if (fresh) {
-          Budget spent{budget * problem.dimension()};
-          spent.gradient_price = gradient_price_of(price, problem);
           cells_.push_back({cell,
                             index_of(problem, family),
                             formulation,
@@ -299,12 +316,14 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
                             spent,
                             part.instances,
                             part.seeds,
+                            {},
                             {}});
         }
         PlannedCell& planned = cells_[known->second];
         planned.instances = std::max(planned.instances, part.instances);
         planned.seeds = std::max(planned.seeds, part.seeds);
-        planned.parts.push_back(part_index);
+        add_once(planned.parts, part_index);
+        add_once(planned.gradient_prices, price);
       }
     }
   };

@@ -47,6 +47,8 @@ struct PlannedCell {
   int instances;
   int seeds;
   std::vector<std::size_t> parts;  ///< parts of the plan that contain this cell
+  /// The prices of a gradient, as the plan names them, at which its runs are what they are.
+  std::vector<std::string> gradient_prices;
 };
 
 /// A plan with all data for carrying it out.

@@ -14,6 +14,7 @@ class Compared : public HeldCampaign {
     Catalogue catalogue;
     catalogue.families = {{"valley", {valley_problem()}}};
     catalogue.solvers = {patient("quick", 3)};
+    catalogue.solvers.front().content = "a user's, which may ask for gradients";
     const std::string asked =
         "[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 10\ngradient_prices = [0, "
         "\"n\"]\n";

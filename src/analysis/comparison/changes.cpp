@@ -80,7 +80,7 @@ void add_prices(Table& table, const Campaign& campaign, const std::vector<CellRe
   for (const std::string& price : prices) {
     Conditions conditions = part.usual;
     conditions.gradient_price = price;
-    const Comparison comparison = comparison_of(campaign, results, conditions);
+    const Comparison comparison = comparison_in(campaign, results, part, conditions);
     for (const Group& group : groups_of(comparison)) {
       std::vector<Rating> ratings = rated(comparison, group.problems);
       Order order = order_of(ratings);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -136,15 +137,19 @@ std::vector<Stretch> stretches_of(const std::vector<Expense>& expenses) {
   }
 }
 
-/// Returns the share of bootstrap samples of the problems in which this entry is ahead here.
-double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t entry,
-                double simulation, std::uint64_t seed) {
+/// Returns the share of bootstrap samples of the clusters of problems in which this entry is ahead
+/// here.
+double sureness(const std::vector<Spent>& spent,
+                const std::vector<std::vector<std::size_t>>& clusters, std::size_t price,
+                std::size_t entry, double simulation, std::uint64_t seed) {
   Random random(seed);
   int ahead = 0;
   for (int k = 0; k < resamples; ++k) {
-    std::vector<std::size_t> drawn(spent.size());
-    for (std::size_t& q : drawn) {
-      q = static_cast<std::size_t>(uniform(random) * static_cast<double>(spent.size()));
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      const double place = uniform(random) * static_cast<double>(clusters.size());
+      const auto& cluster = clusters[static_cast<std::size_t>(place)];
+      drawn.insert(drawn.end(), cluster.begin(), cluster.end());
     }
     const auto expenses = mean_expenses(spent, drawn, price);
     if (cheapest_solver(expenses, simulation) == entry) ++ahead;
@@ -153,6 +158,7 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
 }
 
 void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent,
+              const std::vector<std::vector<std::size_t>>& clusters,
               const std::vector<Stretch>& stretches, std::size_t price) {
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     const Entry& entry = set.entries[stretches[k].entry];
@@ -161,7 +167,7 @@ void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent
     table.add(
         name_of(prices[price]), k == 0 ? Value() : value_of(stretches[k].from),
         last ? Value() : value_of(until), entry.solver, entry.formulation,
-        sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
+        sureness(spent, clusters, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
                  seed_of("break-even", set.family, static_cast<int>(k), static_cast<int>(price))));
   }
 }
@@ -171,11 +177,13 @@ void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent
 void add_break_even(const Campaign& campaign, const EntrySet& set, report::Results& page) {
   std::vector<Spent> spent;
   std::vector<std::size_t> all;
+  std::map<std::string, std::vector<std::size_t>> by_cluster;
   std::vector<double> simulations;
   for (std::size_t q = 0; q < set.problems.size(); ++q) {
     const Problem& problem = campaign.problems()[set.problems[q]];
     spent.push_back(spent_on(problem, set, q));
     all.push_back(q);
+    by_cluster[cluster_of(problem)].push_back(q);
     if (std::isfinite(spent[q].simulation)) {
       simulations.push_back(spent[q].simulation / problem.cost);
     }
@@ -187,8 +195,10 @@ void add_break_even(const Campaign& campaign, const EntrySet& set, report::Resul
                {"solver", "ahead"},
                {"formulation"},
                {"sure", "confidence [%]", ".0%", 3}}};
+  std::vector<std::vector<std::size_t>> clusters;
+  for (const auto& [name, problems] : by_cluster) clusters.push_back(problems);
   for (std::size_t p = 0; p < prices.size(); ++p) {
-    add_rows(table, set, spent, stretches_of(mean_expenses(spent, all, p)), p);
+    add_rows(table, set, spent, clusters, stretches_of(mean_expenses(spent, all, p)), p);
   }
   page.set("here", simulations.empty() ? Value() : value_of(mean_cost(simulations)));
   page.add(std::move(table));
@@ -196,10 +206,11 @@ void add_break_even(const Campaign& campaign, const EntrySet& set, report::Resul
 
 namespace {
 
-/// Mean share with its interval: over the problems, or over the runs that differ if there is one
-/// problem.
-MeanShare share_of(const Entry& entry, const std::vector<double>& shares) {
-  if (shares.size() > 1) return mean_share(shares);
+/// Mean share with its interval: over the clusters of problems, or over the runs that differ if
+/// there is one problem.
+MeanShare share_of(const Campaign& campaign, const Entry& entry,
+                   const std::vector<double>& shares) {
+  if (shares.size() > 1) return mean_share(shares, clusters_of(campaign, entry));
   const double distinct = result_of(entry.results.front()->outcomes).distinct;
   return {shares.front(), wilson_interval(shares.front() * distinct, distinct)};
 }
@@ -214,7 +225,7 @@ void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const 
     shares.push_back(one.share);
     runs += result->outcomes.size();
   }
-  const MeanShare share = share_of(entry, shares);
+  const MeanShare share = share_of(campaign, entry, shares);
   const bool joint = set.budget == 0;
   table.add(
       set.family, joint ? Value() : value_of(set.part + 1), joint ? Value() : value_of(set.budget),

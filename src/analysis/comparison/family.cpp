@@ -227,6 +227,7 @@ std::vector<FamilyPage> family_pages(const Campaign& campaign, const std::vector
       results.add(sorted(problem_table(rated, group, hashes), {"solving"}));
       if (first.dimension() == 1) results.add(objective_chart(first));
       add_budgets(rated, g, results);
+      add_accuracy(rated, g, results);
       results.add(solved_map(rated, g));
       results.add(result_table(rated, group));
       results.add(formulation_table(rated.most(g)));

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "src/analysis/comparison/family.h"
-#include "src/analysis/comparison/order.h"
+#include "src/analysis/comparison/leaders.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/results.h"

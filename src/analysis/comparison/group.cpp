@@ -14,6 +14,15 @@ bool Group::has(const CellResult& result) const {
   return std::find(problems.begin(), problems.end(), result.cell->problem) != problems.end();
 }
 
+Comparison comparison_in(const Campaign& campaign, const std::vector<CellResult>& results,
+                         const ReportedPart& part, const Conditions& conditions) {
+  Comparison comparison = comparison_of(campaign, results, conditions);
+  std::erase_if(comparison.results, [&](const CellResult& result) {
+    return part.silent.contains(result.cell->problem);
+  });
+  return comparison;
+}
+
 std::vector<Group> groups_of(const Comparison& comparison) {
   std::vector<Group> groups;
   for (const std::size_t q : comparison.problems()) {
@@ -101,12 +110,16 @@ std::vector<RatedPart> rated_parts(const Campaign& campaign, const std::vector<C
                                    const std::vector<ReportedPart>& parts) {
   std::vector<RatedPart> all;
   for (const ReportedPart& part : parts) {
-    RatedPart rated{&part, comparison_of(campaign, results, part.usual), {}, {}};
+    RatedPart rated{&part, comparison_in(campaign, results, part, part.usual), {}, {}};
     rated.groups = groups_of(rated.comparison);
     std::erase_if(rated.groups,
                   [&](const Group& group) { return part.asked_again.contains(group.family); });
     for (Group& group : rated.groups) group.family = part.families.at(group.family);
     rated.ratings = ratings_of(rated.comparison, rated.groups);
+    if (part.by_differences) {
+      rated.by_differences = comparison_in(campaign, results, part, *part.by_differences);
+      rated.ratings_by_differences = ratings_of(*rated.by_differences, rated.groups);
+    }
     all.push_back(std::move(rated));
   }
   return all;

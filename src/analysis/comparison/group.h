@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Group {
   bool has(const CellResult& result) const;
 };
 
+/// The results of a part under its own or these conditions, without its silent problems.
+Comparison comparison_in(const Campaign& campaign, const std::vector<CellResult>& results,
+                         const ReportedPart& part, const Conditions& conditions);
+
 /// Returns the families of the problems that are compared, in the order of their first problems.
 std::vector<Group> groups_of(const Comparison& comparison);
 
@@ -37,6 +42,9 @@ struct RatedPart {
   Comparison comparison;
   std::vector<Group> groups;  ///< without those that an earlier part has
   Ratings ratings;            ///< of the groups
+  /// The same with gradients by differences, if the part has that price beside the usual one.
+  std::optional<Comparison> by_differences = {};
+  Ratings ratings_by_differences = {};
 
   const std::vector<Rating>& most(std::size_t group) const { return ratings[group].back(); }
 };

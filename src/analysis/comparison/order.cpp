@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "src/analysis/comparison/group.h"
+#include "src/analysis/comparison/leaders.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
@@ -75,7 +76,9 @@ Comparison half(Comparison comparison, std::size_t from) {
 std::optional<Order> order_on_drawn(const Campaign& campaign,
                                     const std::vector<CellResult>& results, std::size_t drawn,
                                     const std::string& family) {
-  const Comparison comparison = comparison_of(campaign, results, {.part = drawn});
+  const Comparison comparison =
+      comparison_of(campaign, results,
+                    {.part = drawn, .gradient_price = usual_price(campaign.plan().parts[drawn])});
   for (const Group& group : groups_of(comparison)) {
     if (group.family != family) continue;
     return order_of(rate(comparison, group.problems, comparison.part->budgets.size() - 1));
@@ -182,11 +185,23 @@ Table held_out_table(const std::vector<RatedPart>& parts) {
   return table;
 }
 
+namespace {
+
+/// The parts of a campaign's report, without the problems that tell nothing.
+std::vector<ReportedPart> telling_parts(const Campaign& campaign,
+                                        const std::vector<CellResult>& results) {
+  std::vector<ReportedPart> parts = reported_parts(campaign);
+  set_silent(campaign, results, parts);
+  return parts;
+}
+
+}  // namespace
+
 std::vector<RatedFamily> rated_families(const Campaign& campaign,
                                         const std::vector<CellResult>& results) {
   std::vector<RatedFamily> families;
-  for (const ReportedPart& part : reported_parts(campaign)) {
-    const Comparison comparison = comparison_of(campaign, results, part.usual);
+  for (const ReportedPart& part : telling_parts(campaign, results)) {
+    const Comparison comparison = comparison_in(campaign, results, part, part.usual);
     const std::vector<std::int64_t>& budgets = comparison.part->budgets;
     for (const Group& group : groups_of(comparison)) {
       RatedFamily& family = families.emplace_back();
@@ -201,137 +216,6 @@ std::vector<RatedFamily> rated_families(const Campaign& campaign,
   }
   std::ranges::sort(families, {}, &RatedFamily::name);
   return families;
-}
-
-namespace {
-
-constexpr double easy_for_random_search = 20;  // evaluations
-
-/// The ranked entry with the largest success rate; null if none solved a run.
-const Rating* solves_most(const std::vector<Rating>& ratings) {
-  const Rating* most = nullptr;
-  for (const Rating& rating : ratings) {
-    if (!rating.rank || rating.returned == 0) continue;
-    if (most == nullptr || rating.returned > most->returned) most = &rating;
-  }
-  return most;
-}
-
-std::string name_of(const Rating& rating) {
-  return entry(rating.solver, rating.formulation);
-}
-
-/// The median over the problems of a group; nothing without random search.
-std::optional<double> random_search_time(const Comparison& comparison, const Group& group) {
-  std::vector<double> times;
-  for (const std::size_t q : group.problems) {
-    if (const auto time = comparison::random_search_time(comparison, q)) times.push_back(*time);
-  }
-  return times.empty() ? std::optional<double>() : quantile(std::move(times), 0.5);
-}
-
-}  // namespace
-
-Tries tries_on(const Comparison& comparison, std::size_t problem) {
-  Tries tries;
-  for (const CellResult& result : comparison.results) {
-    if (result.cell->problem != problem || !comparison.has_largest_budget(result)) continue;
-    std::size_t solved = 0;
-    for (const Outcome& outcome : result.outcomes) {
-      solved += outcome.solved() ? 1 : 0;
-      tries.gap = std::min(tries.gap, outcome.optimality_gap());
-    }
-    ++tries.entries;
-    tries.runs += result.outcomes.size();
-    tries.solved += solved;
-    tries.solving += 2 * solved >= result.outcomes.size() ? 1 : 0;
-  }
-  return tries;
-}
-
-std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem) {
-  std::optional<double> least;
-  for (const CellResult& result : comparison.results) {
-    const PlannedCell& cell = *result.cell;
-    if (cell.problem != problem || cell.cell.solver != "random-search" ||
-        cell.formulation.smoothing > 0 || !comparison.has_largest_budget(result))
-      continue;
-    const auto time = result_of(result.outcomes).returned_running_time;
-    const double value = time ? time->value : std::numeric_limits<double>::infinity();
-    least = std::min(least.value_or(value), value);
-  }
-  return least;
-}
-
-Table leader_table(const std::vector<RatedPart>& parts) {
-  Table table{"leaders",
-              {{"family"},
-               {"budget", "evaluations a variable"},
-               {"largest"},
-               {"first", "first by mean rank"},
-               {"solver"},
-               {"formulation"},
-               {"tuned"},
-               {"returned", "success rate [%]", ".0%", 3},
-               {"best", "P(best)", ".2f", 3},
-               {"takes"},
-               {"problems"},
-               {"ranked"},
-               {"entries"},
-               {"most", "solves most"},
-               {"unsolved", "problems that nobody solved"},
-               {"random", "evaluations of random search", ".2g", 3}}};
-  each_group(parts, [&](const RatedPart& part, std::size_t g) {
-    const Group& group = part.groups[g];
-    const std::vector<std::int64_t>& budgets = part.comparison.part->budgets;
-    const auto random = random_search_time(part.comparison, group);
-    const bool easy = random && *random <= easy_for_random_search;
-    const auto unsolved = std::ranges::count_if(
-        group.problems, [&](std::size_t q) { return tries_on(part.comparison, q).solved == 0; });
-    for (std::size_t b = 0; b < budgets.size(); ++b) {
-      const std::vector<Rating>& ratings = part.ratings[g][b];
-      const Rating* first = easy ? nullptr : leader_of(ratings);
-      const Rating* most = easy ? nullptr : solves_most(ratings);
-      if (first != nullptr && most->returned <= first->returned) most = nullptr;
-      const bool is_largest = b + 1 == budgets.size();
-      table.add(group.family, budgets[b], is_largest,
-                first  ? name_of(*first)
-                : easy ? fmt::format("none named: random search needs {:.2g} evaluations", *random)
-                       : "none (the least mean rank solved no run)",
-                value_of(first, &Rating::solver), value_of(first, &Rating::formulation),
-                first ? tuned_mark(first->solver) : "", value_of(first, &Rating::returned),
-                value_of(first, &Rating::probability_of_being_best),
-                value_of(first, &Rating::problems), group.problems.size(),
-                std::ranges::count_if(ratings, [](const Rating& r) { return r.rank.has_value(); }),
-                ratings.size(),
-                value_of(most,
-                         [](const Rating& r) {
-                           return fmt::format("{}: {:.0f} %", name_of(r), 100 * r.returned);
-                         }),
-                is_largest ? value_of(unsolved) : Value(), random);
-    }
-  });
-  return table;
-}
-
-Table unsolved_table(const std::vector<RatedPart>& parts) {
-  Table table{"unsolved",
-              {{"family"},
-               {"problem"},
-               {"variables"},
-               {"entries"},
-               {"runs"},
-               {"gap", "least gap [tolerances]", ".3g", 3}}};
-  each_group(parts, [&](const RatedPart& part, std::size_t g) {
-    for (const std::size_t q : part.groups[g].problems) {
-      const Tries tries = tries_on(part.comparison, q);
-      if (tries.solved > 0) continue;
-      const Problem& problem = part.comparison.campaign->problems()[q];
-      table.add(part.groups[g].family, problem.name, problem.dimension(), tries.entries, tries.runs,
-                tries.gap / std::max(problem.tolerance, 1e-12));
-    }
-  });
-  return table;
 }
 
 Table beaten_table(const Campaign& campaign, const std::vector<CellResult>& results) {
@@ -450,8 +334,8 @@ std::vector<SampledFamily> sampled_families(const Campaign& campaign,
                                             const std::vector<CellResult>& results, double share,
                                             std::size_t least) {
   std::vector<SampledFamily> all;
-  for (const ReportedPart& part : reported_parts(campaign)) {
-    const Comparison comparison = comparison_of(campaign, results, part.usual);
+  for (const ReportedPart& part : telling_parts(campaign, results)) {
+    const Comparison comparison = comparison_in(campaign, results, part, part.usual);
     for (Group group : groups_of(comparison)) {
       const auto part_of_all = std::llround(share * static_cast<double>(group.problems.size()));
       group.family = part.families.at(group.family);

@@ -44,33 +44,6 @@ struct Agreement {
 /// Nothing for fewer than five solvers, or if all entries are tied.
 std::optional<Agreement> agreement_of(const Order& a, const Order& b);
 
-/// Expected running time of random search on the true values of a problem, with the largest budget
-/// [evaluations]; infinite if no run solved it, nothing if it was not run there.
-std::optional<double> random_search_time(const Comparison& comparison, std::size_t problem);
-
-/// The runs of a problem with the largest budget, by the returned points.
-struct Tries {
-  std::size_t entries = 0, runs = 0;
-  std::size_t solved = 0;   ///< runs
-  std::size_t solving = 0;  ///< entries that solve it in at least half of their runs
-  double gap = std::numeric_limits<double>::infinity();  ///< the least
-};
-Tries tries_on(const Comparison& comparison, std::size_t problem);
-
-/// A row for each family with each budget. `first` is who is first by mean rank, by the rule that
-/// holds everywhere: the entry with the least mean rank by the returned points; none if it solved
-/// none of its runs; none named if random search solves the problems within 20 evaluations (median
-/// of its expected running times, `random`), so wherever 5 % of the box solve the problem. `most`
-/// is the entry that solves most runs, with its success rate, if that solves more than the first.
-/// Further columns: budget, largest, solver, formulation, tuned (see tuned_mark()), returned
-/// (success rate), best (P(best)), takes, problems, ranked, entries, unsolved (problems that no
-/// entry solved in any run).
-Table leader_table(const std::vector<RatedPart>& parts);
-
-/// The problems that no entry solved in any run with the largest budget: family, problem,
-/// variables, entries, runs, gap (the least of any run, in tolerances).
-Table unsolved_table(const std::vector<RatedPart>& parts);
-
 /// Is the ranking of the entries robust? Compares the order in every group with the one for other
 /// seeds, for either half of the instances, for another formulation, for the largest budget instead
 /// of the smallest, and for machines drawn around the problems' own, as far as the plan has parts

@@ -66,7 +66,7 @@ void add_row(Table& table, const Campaign& campaign, const EntrySet& set, const 
   for (const auto& [problem, share] : shares_of(campaign, own)) shares.push_back(share);
   const auto solved =
       std::ranges::count_if(shares, [](double share) { return share >= most_runs; });
-  const MeanShare mean = mean_share(shares);
+  const MeanShare mean = mean_share(shares, clusters_of(campaign, own));
   const std::vector<Rival> rivals = rivals_of(campaign, set, own);
   const auto count = [&](double sign, double significance) {
     return std::ranges::count_if(rivals, [&](const Rival& rival) {
@@ -164,7 +164,10 @@ void add_relocated_optima(const Campaign& campaign, const std::vector<CellResult
     std::set<std::size_t> problems;
     for (std::size_t k = 0; k < places.size(); ++k) {
       const Comparison comparison =
-          comparison_of(campaign, results, {.part = part, .perturbation = names_of_places()[k]});
+          comparison_of(campaign, results,
+                        {.part = part,
+                         .perturbation = names_of_places()[k],
+                         .gradient_price = usual_price(campaign.plan().parts[part])});
       for (const CellResult& result : comparison.results) {
         const Cell& cell = result.cell->cell;
         add_runs(entries[entry(cell.solver, cell.formulation)][k], result);

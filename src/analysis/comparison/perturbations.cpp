@@ -24,9 +24,9 @@ constexpr double significance = 0.05;  // of the tests
 /// largest budget, so that the two differ in the perturbation alone.
 std::vector<const CellResult*> disturbed(const std::vector<CellResult>& all) {
   const auto place = [](const Cell& cell) {
-    return std::tie(cell.problem, cell.formulation, cell.solver, cell.budget);
+    return std::tie(cell.problem, cell.formulation, cell.solver, cell.budget, cell.gradient_price);
   };
-  std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> tried;
+  std::set<std::tuple<std::string, std::string, std::string, std::int64_t, std::string>> tried;
   std::map<std::size_t, std::int64_t> largest;
   for (const CellResult& s : all) {
     const bool perturbed = s.cell->perturbation != nullptr && s.cell->cell.perturbation != "plain";
@@ -34,9 +34,7 @@ std::vector<const CellResult*> disturbed(const std::vector<CellResult>& all) {
   }
   std::vector<const CellResult*> results;
   for (const CellResult& s : all) {
-    if (s.cell->perturbation == nullptr || s.cell->cell.gradient_price != "n" ||
-        !tried.contains(place(s.cell->cell)))
-      continue;
+    if (s.cell->perturbation == nullptr || !tried.contains(place(s.cell->cell))) continue;
     auto& budget = largest[s.cell->problem];
     budget = std::max(budget, s.cell->cell.budget);
     results.push_back(&s);

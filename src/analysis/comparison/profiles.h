@@ -33,4 +33,11 @@ std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySe
 /// value "virtual-best" says the single best in words.
 void add_profiles(const Campaign& campaign, const EntrySet& set, report::Results& page);
 
+/// Adds how accurate the ranked entries of a group are with the largest budget, whatever the
+/// problems' tolerances: chart "quality", and parts "precisions", one for each tau of 1e-1, 1e-3,
+/// 1e-5 and 1e-7, with a data profile and the table "accuracy". A run reaches a precision if the
+/// gap of its returned point, see merit_gap(), is at most tau times that of its start (Moré and
+/// Wild 2009, doi:10.1137/080724083).
+void add_accuracy(const RatedPart& part, std::size_t group, report::Results& page);
+
 }  // namespace ricochet::studies::comparison

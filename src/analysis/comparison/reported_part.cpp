@@ -60,6 +60,13 @@ std::vector<const PlannedCell*> cells_of(const Campaign& campaign, std::size_t p
   return cells;
 }
 
+constexpr const char* measured_price = "measured";
+constexpr const char* price_of_differences = "n";
+
+bool asks_price(const PlanPart& part, const std::string& price) {
+  return std::ranges::find(part.gradient_prices, price) != part.gradient_prices.end();
+}
+
 bool asks_several_perturbations(const std::vector<const PlannedCell*>& cells) {
   return std::any_of(cells.begin(), cells.end(), [&](const PlannedCell* cell) {
     return cell->cell.perturbation != cells.front()->cell.perturbation;
@@ -67,6 +74,13 @@ bool asks_several_perturbations(const std::vector<const PlannedCell*>& cells) {
 }
 
 }  // namespace
+
+std::string usual_price(const PlanPart& part) {
+  for (const char* price : {measured_price, price_of_differences}) {
+    if (asks_price(part, price)) return price;
+  }
+  return part.gradient_prices.front();
+}
 
 std::string name_of_part(const PlanPart& part, std::size_t number) {
   return part.name.empty() ? fmt::format("part-{}", number + 1) : part.name;
@@ -86,20 +100,26 @@ std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
     const auto repetition = repetition_of(parts, part);
     if (repetition) companions.insert(*repetition);
     const std::vector<const PlannedCell*> cells = cells_of(campaign, part);
-    ReportedPart mine{part, {.part = part}, {}, {}, repetition, drawn_of(parts, part)};
-    const auto asks = [&](const std::string Cell::*what, const std::string& value) {
-      return std::any_of(cells.begin(), cells.end(),
-                         [&](const PlannedCell* cell) { return cell->cell.*what == value; });
-    };
-    const Cell& first = cells.front()->cell;
-    if (!asks(&Cell::perturbation, mine.usual.perturbation))
-      mine.usual.perturbation = first.perturbation;
-    if (!asks(&Cell::gradient_price, mine.usual.gradient_price)) {
-      mine.usual.gradient_price = first.gradient_price;
-    }
+    ReportedPart mine{.part = part,
+                      .usual = {.part = part},
+                      .repetition = repetition,
+                      .drawn = drawn_of(parts, part)};
+    const bool plain = std::ranges::any_of(cells, [&](const PlannedCell* cell) {
+      return cell->cell.perturbation == mine.usual.perturbation;
+    });
+    if (!plain) mine.usual.perturbation = cells.front()->cell.perturbation;
     const PlanPart& asked = parts[part];
-    const bool varies = asked.gradient_prices.size() > 1 || !asked.smoothings.empty() ||
-                        asks_several_perturbations(cells);
+    mine.usual.gradient_price = usual_price(asked);
+    if (mine.usual.gradient_price == measured_price && asks_price(asked, price_of_differences)) {
+      mine.by_differences = mine.usual;
+      mine.by_differences->gradient_price = price_of_differences;
+    }
+    const bool varies =
+        std::ranges::any_of(asked.gradient_prices,
+                            [](const std::string& price) {
+                              return price != measured_price && price != price_of_differences;
+                            }) ||
+        !asked.smoothings.empty() || asks_several_perturbations(cells);
     const std::string suffix = name_of_part(asked, part);
     for (const PlannedCell* cell : cells) {
       const std::string& family = campaign.family_of(cell->problem);
@@ -154,6 +174,7 @@ std::vector<std::string> solvers_of(const ComparisonOptions& options, const Cata
 PlanPart with_other_seeds(const PlanPart& part) {
   PlanPart again = part;
   again.budgets = {part.budgets.front()};
+  again.gradient_prices = {usual_price(part)};
   again.seeds = 2;
   return again;
 }
@@ -163,10 +184,12 @@ PlanPart with_other_seeds(const PlanPart& part) {
 std::vector<PlanPart> checks_of(const PlanPart& part) {
   constexpr int most_draws = 5;  // a search takes as long as about a hundred runs
   PlanPart drawn = part;
+  drawn.gradient_prices = {usual_price(part)};
   drawn.budgets = {part.budgets.back()};
   drawn.drawn_machines = std::min(part.instances, most_draws);
   drawn.instances = 1;
   PlanPart relocated = part;
+  relocated.gradient_prices = {usual_price(part)};
   relocated.budgets = {part.budgets.front()};
   relocated.smoothings.clear();
   relocated.relocated_optimum = true;
@@ -207,6 +230,7 @@ Plan comparison_plan(const ComparisonOptions& options, bool quick, const Catalog
   plan.name = quick ? "compare --quick" : "compare";
   plan.limits = options.limits;
   PlanPart one;
+  one.gradient_prices = {measured_price, price_of_differences};
   const bool own = !options.scene.empty();
   const std::string usual = own ? "*" : default_problems;
   const std::string patterns = options.problems.empty() ? usual : options.problems;
@@ -300,6 +324,14 @@ OnProblem on_problem(const Campaign& campaign, const CellResult& of_cell) {
   return result;
 }
 
+std::vector<std::string> clusters_of(const Campaign& campaign, const Entry& entry) {
+  std::vector<std::string> clusters;
+  for (const CellResult* result : entry.results) {
+    clusters.push_back(cluster_of(campaign.problems()[result->cell->problem]));
+  }
+  return clusters;
+}
+
 double mean_cost(const std::vector<double>& costs) {
   return shifted_geometric_mean(costs, 0, 1e-6);
 }
@@ -311,9 +343,14 @@ std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
   std::map<Key, std::map<std::string, std::map<std::string, ByProblem>>> all;
   for (const CellResult& result : results) {
     const PlannedCell& cell = *result.cell;
-    const bool plain = cell.cell.perturbation == "plain" && cell.cell.gradient_price == "n";
-    if (!plain || result.outcomes.empty()) continue;
-    const Key key{cell.parts.front(), campaign.family_of(cell.problem), cell.cell.budget};
+    const std::size_t number = cell.parts.front();
+    const std::string price = usual_price(campaign.plan().parts[number]);
+    const bool usual = cell.cell.perturbation == "plain" &&
+                       std::ranges::find(cell.gradient_prices, price) != cell.gradient_prices.end();
+    if (!usual || result.outcomes.empty()) continue;
+    const auto reported = std::ranges::find(parts, number, &ReportedPart::part);
+    if (reported != parts.end() && reported->silent.contains(cell.problem)) continue;
+    const Key key{number, campaign.family_of(cell.problem), cell.cell.budget};
     all[key][cell.cell.solver][cell.cell.formulation][cell.problem] = &result;
   }
   const auto largest = largest_budgets(results);

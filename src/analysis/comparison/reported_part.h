@@ -15,21 +15,35 @@ namespace ricochet::studies::comparison {
 
 using namespace ricochet::comparison;
 
+/// Why a problem tells nothing about solvers.
+enum class Silence {
+  easy,     ///< random search solves it within 20 evaluations
+  unsolved  ///< no run solved it
+};
+
 /// A part of a campaign's plan, as it is reported.
 struct ReportedPart {
   std::size_t part;
-  /// The conditions that are compared within it: no perturbation and a gradient at the price n if
-  /// it has these, else its first perturbation and price.
+  /// The conditions that are compared within it: no perturbation, and a gradient at the measured
+  /// price, else at n; if it has none of these, its first perturbation or price.
   Conditions usual;
+  /// The same at the price n, as by differences, if it has both prices.
+  std::optional<Conditions> by_differences = {};
   /// Names of its families; if an earlier part has a family too, the part's name or number is
   /// added.
-  std::map<std::string, std::string> families;
+  std::map<std::string, std::string> families = {};
   /// Families, by their own names, that an earlier part has too and in which this one varies
   /// perturbations, prices or smoothing parameters: they are not rated a second time.
   std::set<std::string> asked_again = {};
   /// The parts with the same problems that have several seeds (may be this one), or drawn machines.
   std::optional<std::size_t> repetition = {}, drawn = {};
+  /// Problems that tell nothing about solvers, in a family of which others do: see set_silent().
+  std::map<std::size_t, Silence> silent = {};
 };
+
+/// The price at which gradients are charged where entries are compared: "measured", else "n", else
+/// the first of the part.
+std::string usual_price(const PlanPart& part);
 
 /// The name of a part of a plan: its own, or "part-1" after its number, counted from 0.
 std::string name_of_part(const PlanPart& part, std::size_t number);
@@ -78,7 +92,7 @@ struct Entry {
 };
 
 /// Entries that can be compared: on the problems of one family in a part of the plan, with one
-/// budget, without perturbations, with a gradient at the price of n evaluations.
+/// budget, under its usual conditions.
 struct EntrySet {
   std::string family;  ///< as named in the report
   std::size_t part = 0;
@@ -117,6 +131,9 @@ void each_entry(const EntrySet& set, const Use& use) {
     for (const Entry& entry : *entries) use(entry);
   }
 }
+
+/// The clusters of an entry's problems, in their order.
+std::vector<std::string> clusters_of(const Campaign& campaign, const Entry& entry);
 
 /// The results of one entry on one problem, by the returned points; all runs have the same weight.
 struct OnProblem {

@@ -19,7 +19,7 @@ using namespace ricochet::comparison;
 
 /// Adds which solver is ahead at which cost of a simulation, with a gradient that is free, at its
 /// measured price and at n evaluations: table "break-even" with the ranges of cost, and the
-/// value "here", the cost of a simulation as it is [s]. The runs are those at the price n; only
+/// value "here", the cost of a simulation as it is [s]. The runs are those at the usual price; only
 /// their requests are priced differently.
 void add_break_even(const Campaign& campaign, const EntrySet& set, report::Results& page);
 

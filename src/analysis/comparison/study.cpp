@@ -11,6 +11,7 @@
 #include "ricochet/solver.h"
 #include "src/analysis/comparison/family.h"
 #include "src/analysis/comparison/group.h"
+#include "src/analysis/comparison/leaders.h"
 #include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/analysis/comparison/sections.h"
@@ -106,16 +107,20 @@ Chart map_chart(const Table& map) {
   return chart;
 }
 
-/// The names of the problems that nobody solved, a row for each family.
-Table by_family(const Table& unsolved) {
+/// The names of the problems that tell nothing: for each family those that random search solves at
+/// once, and those that nobody solved.
+Table by_family(const Table& silent) {
   const auto names = [](const std::vector<Value>& values) {
     std::string text;
     for (const Value& value : values) text += (text.empty() ? "" : ", ") + text_of(value);
     return value_of(text);
   };
-  Table table = aggregated(unsolved, {"family"},
+  const Table told = with(silent, {"why"}, [](const Row& row) {
+    return value_of(row.is("unsolved") ? "solved by nobody" : "solved by random search at once");
+  });
+  Table table = aggregated(told, {"family", "why"},
                            {{{"number"}, "", count_of}, {{"names", "problems"}, "problem", names}});
-  table.name = "unsolved-names";
+  table.name = "silent-names";
   return table;
 }
 
@@ -157,6 +162,7 @@ Json compute(const Campaign& campaign, const Store& store) {
   std::vector<CellResult> results = all;
   std::vector<ReportedPart> reported = reported_parts(campaign);
   set_pathological_apart(campaign, results, reported);
+  set_silent(campaign, results, reported);
   const std::vector<RatedPart> parts = rated_parts(campaign, results, reported);
   const std::vector<EntrySet> sets = entry_sets_of(campaign, results, reported);
   const Table speed_accuracy = speed_accuracy_table(campaign, sets);
@@ -183,7 +189,9 @@ Json compute(const Campaign& campaign, const Store& store) {
   page.set("suite", suite_version);
   page.set("lacking", lacking_sentence(campaign));
   page.add(Table(leaders));
-  page.add(unsolved_table(parts));
+  page.add(subset_table(parts));
+  page.add(coverage_table(parts));
+  page.add(silent_table(campaign, results, reported));
   page.add(by_family(page.tables.back()));
   add_fronts(speed_accuracy, page);
   const Table map = solver_map(speed_accuracy, leaders);

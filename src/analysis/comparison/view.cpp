@@ -80,10 +80,11 @@ class ViewTable {
     const std::size_t problem = problem_of(result);
     if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
     const Cell& cell = planned.cell;
-    cells_[{family, perturbations_.place_of(cell.perturbation),
-            prices_.place_of(cell.gradient_price), cell.budget, solvers_.place_of(cell.solver),
-            formulations_.place_of(cell.formulation), planned.instances, planned.seeds}][problem] =
-        &result;
+    for (const std::string& price : planned.gradient_prices) {
+      cells_[{family, perturbations_.place_of(cell.perturbation), prices_.place_of(price),
+              cell.budget, solvers_.place_of(cell.solver), formulations_.place_of(cell.formulation),
+              planned.instances, planned.seeds}][problem] = &result;
+    }
   }
 
   void write(const std::vector<Solver>& known, report::Results& page) const {

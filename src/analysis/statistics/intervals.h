@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace ricochet {
@@ -31,14 +32,31 @@ struct MeanShare {
   Interval interval;
 };
 
-/// Mean of independent values in [0, 1], one for each problem, with its interval: Wilson's, for the
-/// number of trials that would have the same variance (Korn and Graubard 1998, Survey Methodology
-/// 24, 193, do this with the exact interval). A pseudo-observation of a tenth of a problem is added
-/// at either end; without it a few problems that happen to agree would look certain. In simulations
-/// with many kinds of problems, a nominal 95 % gave a coverage of 97 % with 12 problems and 96 %
-/// with 20 or 50, and never less than 92 %; a percentile bootstrap over the problems gave 80 % with
-/// 10 and 87 % with 20. Throws std::invalid_argument for no values or one outside [0, 1].
-MeanShare mean_share(const std::vector<double>& shares, double confidence = 0.95);
+/// Mean of values in [0, 1], one for each problem, with its interval: Wilson's, for the number of
+/// trials that would have the same variance (Korn and Graubard 1998, Survey Methodology 24, 193, do
+/// this with the exact interval). The variance is that between clusters: `clusters` names that of
+/// each problem, whose values are alike, and if it is empty, all are independent. If problems share
+/// clusters, the number is reduced by what Student's t takes. A pseudo-observation of a tenth of a
+/// cluster is added at either end; without it a few clusters that happen to agree would look
+/// certain. In simulations with independent problems, a nominal 95 % gave a coverage of 97 % with
+/// 12 and 96 % with 20 or 50; with 4 to 60 clusters of one to five like problems 94 to 100 %, where
+/// it was 74 to 93 % if all were taken for independent. Throws std::invalid_argument for no values,
+/// one outside [0, 1], or another number of clusters.
+MeanShare mean_share(const std::vector<double>& shares,
+                     const std::vector<std::string>& clusters = {}, double confidence = 0.95);
+
+/// How many independent problems would give the mean of these shares the variance that the clusters
+/// give it, at most as many as there are; for several entries the variances are summed. `entries`
+/// has the shares of each entry, one for each problem.
+double effective_problems(const std::vector<std::vector<double>>& entries,
+                          const std::vector<std::string>& clusters);
+
+/// How often the interval of mean_share() of a sample of the clusters, drawn with replacement, has
+/// the mean over all problems, for these entries together. `known`: whether mean_share() is told
+/// the clusters. Deterministic in `seed`.
+double coverage_of_mean_share(const std::vector<std::vector<double>>& entries,
+                              const std::vector<std::string>& clusters, bool known,
+                              std::uint64_t seed, int samples = 200);
 
 /// Quantile q in [0, 1] of the sample, linear between neighbours (Hyndman and Fan 1996, type 7).
 /// Infinite values are allowed and sorted last. The sample must not be empty.

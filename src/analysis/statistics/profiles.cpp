@@ -8,7 +8,7 @@
 namespace ricochet {
 
 MeanShare empirical_distribution(const std::vector<std::vector<double>>& hitting_times, double t,
-                                 double confidence) {
+                                 const std::vector<std::string>& clusters) {
   std::vector<double> shares;
   for (const std::vector<double>& times : hitting_times) {
     if (times.empty() ||
@@ -19,7 +19,7 @@ MeanShare empirical_distribution(const std::vector<std::vector<double>>& hitting
                                        [&](double x) { return x <= t && !std::isinf(x); });
     shares.push_back(static_cast<double>(reached) / static_cast<double>(times.size()));
   }
-  return mean_share(shares, confidence);
+  return mean_share(shares, clusters);
 }
 
 Costs performance_ratios(const Costs& costs) {

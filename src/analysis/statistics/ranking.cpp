@@ -147,25 +147,28 @@ std::size_t drawn_below(std::size_t size, Random& random) {
 std::vector<double> probabilities_of_being_first(const std::vector<RivalsAhead>& problems,
                                                  std::size_t entries, std::uint64_t seed,
                                                  int resamples) {
-  if (problems.size() < 2 || resamples < 1) {
+  const std::vector<std::vector<std::size_t>> clusters = clusters_of(problems);
+  if (clusters.size() < 2 || resamples < 1) {
     throw std::invalid_argument(
-        "probabilities_of_being_first: two problems and a sample are needed");
+        "probabilities_of_being_first: two clusters of problems and a sample are needed");
   }
   Random random(seed);
   std::vector<double> times(entries);
   for (int i = 0; i < resamples; ++i) {
     std::vector<double> sums(entries);
     std::vector<int> taken(entries);
-    for (std::size_t draw = 0; draw < problems.size(); ++draw) {
-      const RivalsAhead& problem = problems[drawn_below(problems.size(), random)];
-      const std::size_t instances = problem.of_instance.size();
-      for (std::size_t k = 0; k < instances; ++k) {
-        const std::vector<double>& shares = problem.of_instance[drawn_below(instances, random)];
-        for (std::size_t e = 0; e < shares.size(); ++e) {
-          sums[problem.entries[e]] += shares[e] / static_cast<double>(instances);
+    for (std::size_t draw = 0; draw < clusters.size(); ++draw) {
+      for (const std::size_t q : clusters[drawn_below(clusters.size(), random)]) {
+        const RivalsAhead& problem = problems[q];
+        const std::size_t instances = problem.of_instance.size();
+        for (std::size_t k = 0; k < instances; ++k) {
+          const std::vector<double>& shares = problem.of_instance[drawn_below(instances, random)];
+          for (std::size_t e = 0; e < shares.size(); ++e) {
+            sums[problem.entries[e]] += shares[e] / static_cast<double>(instances);
+          }
         }
+        for (const std::size_t e : problem.entries) ++taken[e];
       }
-      for (const std::size_t e : problem.entries) ++taken[e];
     }
     std::vector<std::optional<double>> means(entries);
     for (std::size_t e = 0; e < entries; ++e) {
@@ -176,6 +179,19 @@ std::vector<double> probabilities_of_being_first(const std::vector<RivalsAhead>&
   }
   for (double& share : times) share /= resamples;
   return times;
+}
+
+std::vector<std::vector<std::size_t>> clusters_of(const std::vector<RivalsAhead>& problems) {
+  std::vector<std::vector<std::size_t>> clusters;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t q = 0; q < problems.size(); ++q) {
+    const std::string& name = problems[q].cluster;
+    const auto place =
+        name.empty() ? clusters.size() : places.try_emplace(name, clusters.size()).first->second;
+    if (place == clusters.size()) clusters.emplace_back();
+    clusters[place].push_back(q);
+  }
+  return clusters;
 }
 
 RivalsAhead rivals_ahead(const std::vector<Ranking>& instances) {
@@ -236,7 +252,7 @@ std::vector<std::size_t> first_of(const std::vector<std::optional<double>>& mean
 
 namespace {
 
-constexpr std::size_t least_problems = 4;
+constexpr std::size_t least_clusters = 4;
 constexpr std::size_t least_entries = 5;
 
 void shuffle(std::vector<std::size_t>& order, Random& random) {
@@ -257,11 +273,12 @@ double same_first(const std::vector<std::size_t>& a, const std::vector<std::size
 
 std::optional<HeldOutOrder> held_out_order(const std::vector<RivalsAhead>& problems,
                                            std::size_t entries, std::uint64_t seed, int halves) {
-  if (problems.size() < least_problems) return std::nullopt;
+  const std::vector<std::vector<std::size_t>> clusters = clusters_of(problems);
+  if (clusters.size() < least_clusters) return std::nullopt;
   Random random(seed);
-  std::vector<std::size_t> order(problems.size());
+  std::vector<std::size_t> order(clusters.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t half = problems.size() / 2;
+  const std::size_t half = clusters.size() / 2;
   std::vector<double> correlations;
   double stays = 0;
   for (int i = 0; i < halves; ++i) {
@@ -269,8 +286,8 @@ std::optional<HeldOutOrder> held_out_order(const std::vector<RivalsAhead>& probl
     std::vector<RivalsAhead> a;
     std::vector<RivalsAhead> b;
     for (std::size_t k = 0; k < half; ++k) {
-      a.push_back(problems[order[k]]);
-      b.push_back(problems[order[half + k]]);
+      for (const std::size_t q : clusters[order[k]]) a.push_back(problems[q]);
+      for (const std::size_t q : clusters[order[half + k]]) b.push_back(problems[q]);
     }
     auto means_a = mean_rivals_ahead(a, entries);
     auto means_b = mean_rivals_ahead(b, entries);

@@ -52,9 +52,13 @@ std::optional<Interval> kendall_interval(const std::vector<double>& a, const std
 /// the share of its rivals that were ahead of it, in [0, 1], where a tie counts half. It is the
 /// rank, scaled so that problems with many and with few entries compare.
 struct RivalsAhead {
-  std::vector<std::size_t> entries;
-  std::vector<std::vector<double>> of_instance;  ///< instances x entries
+  std::string cluster = {};  ///< problems of one cluster are alike; empty: it is alone in its own
+  std::vector<std::size_t> entries = {};
+  std::vector<std::vector<double>> of_instance = {};  ///< instances x entries
 };
+
+/// The problems of each cluster, as places in `problems`, in order of their first problems.
+std::vector<std::vector<std::size_t>> clusters_of(const std::vector<RivalsAhead>& problems);
 
 /// From the rankings of a problem's instances, at least one, which must name the same entries.
 /// Empty if fewer than two took part: then nobody is compared. Throws std::invalid_argument for
@@ -71,27 +75,28 @@ std::vector<std::size_t> first_of(const std::vector<std::optional<double>>& mean
 
 /// The probability of each of the entries 0, 1, ... to be first on problems like these: the share
 /// of bootstrap samples in which it has the least mean share of rivals ahead (Efron 1979,
-/// doi:10.1214/aos/1176344552). A sample draws as many problems as there are, with replacement, and
-/// for each of them as many of its instances, with replacement: runs on one problem are alike, so
-/// more instances of a few problems do not make the result certain. Entries that are tied share a
-/// sample; one that took part in none of its problems is not in it. Deterministic in `seed`; with
-/// another one, probabilities differ by about 0.02. Throws std::invalid_argument for fewer than two
-/// problems, of which nothing can be drawn.
+/// doi:10.1214/aos/1176344552). A sample draws as many clusters of problems as there are, with
+/// replacement, each with all its problems, and for each of these as many of its instances, with
+/// replacement: runs on one problem are alike, and so are problems of one cluster, so that more of
+/// them do not make the result certain. Entries that are tied share a sample; one that took part in
+/// none of its problems is not in it. Deterministic in `seed`; with another one, probabilities
+/// differ by about 0.02. Throws std::invalid_argument for fewer than two clusters, of which nothing
+/// can be drawn.
 std::vector<double> probabilities_of_being_first(const std::vector<RivalsAhead>& problems,
                                                  std::size_t entries, std::uint64_t seed,
                                                  int resamples = 2000);
 
-/// How well the order of the entries on half of the problems predicts that on the other half.
+/// How well the order of the entries on half of the clusters predicts that on the other half.
 struct HeldOutOrder {
   double correlation;  ///< Kendall's tau of the two orders, mean over the halves
   Interval interval;   ///< the middle 95 % of the halves
   double first_stays;  ///< how often the first on one half is first on the other, in [0, 1]
 };
 
-/// Draws `halves` random halves of the problems; of an odd number one problem is left out each
+/// Draws `halves` random halves of the clusters of problems; of an odd number one is left out each
 /// time. The order is that of the mean shares of rivals ahead, over the entries that took part in
 /// both halves. Firsts that are tied are drawn from. Deterministic in `seed`. Nothing for fewer
-/// than four problems or five entries, or if all entries are tied. The halves share problems, so
+/// than four clusters or five entries, or if all entries are tied. The halves share problems, so
 /// the interval is no confidence interval: it says how much depends on which problems were taken.
 std::optional<HeldOutOrder> held_out_order(const std::vector<RivalsAhead>& problems,
                                            std::size_t entries, std::uint64_t seed,

@@ -151,6 +151,61 @@ TEST(Coverage, OfAMeanOfSharesIsAboutRight) {
   }
 }
 
+TEST(Coverage, OfAMeanOfClusteredSharesIsAboutRightOnlyWithTheClusters) {
+  Random random(6);
+  for (const int size : {6, 12, 30}) {
+    Coverages known, ignored;
+    for (const double mean : {0.3, 0.5, 0.9}) {
+      for (const double spread : {0.4, 1.0}) {  // of the clusters
+        std::vector<double> shares;
+        std::vector<std::string> clusters;
+        const auto draw = [&] {
+          shares.clear();
+          clusters.clear();
+          for (int i = 0; i < size; ++i) {
+            const double easy = uniform(random) < mean ? 1 : 0;
+            for (std::size_t k = random() % 5 + 1; k > 0; --k) {
+              shares.push_back(spread * easy + (1 - spread) * mean);
+              clusters.push_back(std::to_string(i));
+            }
+          }
+        };
+        known.all.push_back(coverage(500, mean, [&] {
+          draw();
+          return mean_share(shares, clusters).interval;
+        }));
+        ignored.all.push_back(coverage(500, mean, [&] {
+          draw();
+          return mean_share(shares).interval;
+        }));
+      }
+    }
+    known.print("the mean of " + std::to_string(size) + " clusters");
+    ignored.print("the same without the clusters");
+    EXPECT_GT(known.mean(), 0.93);
+    EXPECT_LT(ignored.mean(), 0.9);
+  }
+}
+
+/// Shares of two entries on clusters of four equal problems, and the clusters.
+TEST(Coverage, IsMeasuredBySamplesOfTheClusters) {
+  Random random(7);
+  std::vector<std::vector<double>> entries(2);
+  std::vector<std::string> clusters;
+  for (int i = 0; i < 15; ++i) {
+    const double one = uniform(random), other = uniform(random) < 0.5 ? 1 : 0;
+    for (int k = 0; k < 4; ++k) {
+      entries[0].push_back(one);
+      entries[1].push_back(other);
+      clusters.push_back(std::to_string(i));
+    }
+  }
+  EXPECT_GT(coverage_of_mean_share(entries, clusters, true, 1, 400), 0.92);
+  EXPECT_LT(coverage_of_mean_share(entries, clusters, false, 1, 400), 0.8);
+  EXPECT_EQ(coverage_of_mean_share(entries, clusters, true, 1),
+            coverage_of_mean_share(entries, clusters, true, 1));
+}
+
 TEST(Coverage, OfKendallsCorrelationIsAboutRight) {
   Random random(4);
   for (const int alike : {1, 3}) {  // pairs of one solver

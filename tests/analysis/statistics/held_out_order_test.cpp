@@ -101,8 +101,27 @@ TEST(HeldOutOrder, IsPerfectWhereAllProblemsAgree) {
   EXPECT_EQ(order->first_stays, 1);
 }
 
+TEST(HeldOutOrder, HoldsClustersOutWhole) {
+  // Both problems of a cluster agree, and clusters disagree: halves of problems would share them.
+  std::vector<RivalsAhead> problems;
+  for (const RivalsAhead& problem : noisy_problems(8, 3)) {
+    for (int copy = 0; copy < 2; ++copy) {
+      problems.push_back(problem);
+      problems.back().cluster = std::to_string(problems.size() / 2 + problems.size() % 2);
+    }
+  }
+  const auto whole = held_out_order(problems, entries, 1, 4000);
+  EXPECT_NEAR(whole->correlation,
+              held_out_order(noisy_problems(8, 3), entries, 1, 4000)->correlation, 0.02);
+  for (RivalsAhead& problem : problems) problem.cluster.clear();
+  EXPECT_GT(held_out_order(problems, entries, 1, 4000)->correlation, whole->correlation + 0.05);
+}
+
 TEST(HeldOutOrder, IsNothingForFewProblemsOrEntries) {
   EXPECT_FALSE(held_out_order(noisy_problems(3, 1), entries, 1));
+  std::vector<RivalsAhead> two = noisy_problems(8, 1);
+  for (std::size_t k = 0; k < two.size(); ++k) two[k].cluster = k < 4 ? "a" : "b";
+  EXPECT_FALSE(held_out_order(two, entries, 1));
   const std::vector<RivalsAhead> four(6, rivals_ahead({{{0}, {1}, {2}, {3}}}));
   EXPECT_FALSE(held_out_order(four, 4, 1));
   const std::vector<RivalsAhead> tied(6, rivals_ahead({{{0, 1, 2, 3, 4, 5}}}));

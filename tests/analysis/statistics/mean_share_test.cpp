@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "ricochet/random.h"
 #include "src/analysis/statistics/intervals.h"
@@ -52,10 +54,35 @@ TEST(MeanShare, HoldsItsMeanWithin0And1AndIsAlikeForTheRest) {
   }
 }
 
+TEST(MeanShare, CountsProblemsThatAreEqualInTheirClusterOnce) {
+  // Each cluster repeats one share, so that the mean varies as that of the clusters alone.
+  const std::vector<double> single = {0, 0.2, 0.4, 0.5, 0.5, 0.6, 0.8, 1, 0.1, 0.9, 0.7, 0.3};
+  std::vector<double> shares;
+  std::vector<std::string> clusters;
+  for (std::size_t k = 0; k < single.size(); ++k) {
+    for (int copy = 0; copy < 5; ++copy) {
+      shares.push_back(single[k]);
+      clusters.push_back(std::to_string(k));
+    }
+  }
+  const MeanShare once = mean_share(single);
+  const MeanShare all = mean_share(shares, clusters);
+  const double width = once.interval.upper - once.interval.lower;
+  const double student = 2.201 / 1.960;  // quantiles .975 of t with 11 degrees of freedom, normal
+  EXPECT_NEAR(all.mean, once.mean, 1e-12);
+  EXPECT_NEAR(all.interval.upper - all.interval.lower, student * width, 0.02 * width);
+  EXPECT_LT(mean_share(shares).interval.upper - mean_share(shares).interval.lower, 0.5 * width);
+  EXPECT_NEAR(effective_problems({shares}, clusters), 60 * 11.0 / 59, 1e-9);
+  std::vector<std::string> own;
+  for (std::size_t k = 0; k < single.size(); ++k) own.push_back(std::to_string(k));
+  EXPECT_EQ(effective_problems({single}, own), 12) << "each is alone in its cluster";
+}
+
 TEST(MeanShare, RefusesWhatDoesNotFit) {
   EXPECT_THROW(mean_share({}), std::invalid_argument);
   EXPECT_THROW(mean_share({0.5, 1.1}), std::invalid_argument);
   EXPECT_THROW(mean_share({std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(mean_share({0.5, 0.6}, {"a"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -75,6 +75,21 @@ TEST(ProbabilityOfBeingFirst, DoesNotGrowWithTheInstancesOfFewProblems) {
   EXPECT_NEAR(probabilities_of_being_first(problems, 2, 3, 20000)[0], 20.0 / 27, 0.01);
 }
 
+TEST(ProbabilityOfBeingFirst, DoesNotGrowWithTheProblemsOfFewClusters) {
+  std::vector<RivalsAhead> problems;
+  for (int copy = 0; copy < 10; ++copy) {
+    for (const char* cluster : {"a", "b", "c"}) {
+      problems.push_back(rivals_ahead({*cluster == 'c' ? Ranking{{1}, {0}} : Ranking{{0}, {1}}}));
+      problems.back().cluster = cluster;
+    }
+  }
+  EXPECT_NEAR(probabilities_of_being_first(problems, 2, 3, 20000)[0], 20.0 / 27, 0.01);
+  for (RivalsAhead& problem : problems) problem.cluster.clear();
+  EXPECT_GT(probabilities_of_being_first(problems, 2, 3, 20000)[0], 0.95);
+  for (RivalsAhead& problem : problems) problem.cluster = "one";
+  EXPECT_THROW(probabilities_of_being_first(problems, 2, 3), std::invalid_argument);
+}
+
 TEST(ProbabilityOfBeingFirst, IsSharedByEquals) {
   const std::vector<RivalsAhead> problems(3, rivals_ahead({{{0, 1}}}));
   EXPECT_NEAR(probabilities_of_being_first(problems, 2, 1)[0], 0.5, 1e-9);

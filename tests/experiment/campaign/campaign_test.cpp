@@ -81,14 +81,39 @@ TEST(Campaign, AddsSmoothingsToWhatCanBeSmoothed) {
 }
 
 TEST(Campaign, HasAGradientAtItsPrice) {
-  const Campaign campaign =
-      campaign_of(part_of("\"bowl-8\"", "gradient_prices = [\"n\", \"measured\", 0, 5]"));
+  Catalogue catalogue = made_up_catalogue();
+  for (Solver& solver : catalogue.solvers) solver.content = "a user's, which may ask for gradients";
+  const Campaign campaign(
+      plan_from(part_of("\"bowl-8\"", "gradient_prices = [\"n\", \"measured\", 0, 5]"), "test"),
+      catalogue);
   ASSERT_EQ(campaign.cells().size(), 4U);
   EXPECT_EQ(campaign.cells()[0].budget.gradient_price, std::nullopt);
   EXPECT_EQ(campaign.cells()[1].budget.gradient_price, 3);
   EXPECT_EQ(campaign.cells()[2].budget.gradient_price, 0);
   EXPECT_EQ(campaign.cells()[3].budget.gradient_price, 5);
   EXPECT_EQ(campaign.cells()[3].cell.gradient_price, "5");
+}
+
+TEST(Campaign, HasARunOnceThatIsTheSameAtSeveralPrices) {
+  const std::string plan = part_of("\"bowl-8\"", "gradient_prices = [\"measured\", \"n\", 8]");
+  const Campaign values(plan_from(plan, "test"), made_up_catalogue());
+  ASSERT_EQ(values.cells().size(), 1U) << "it asks for no gradient";
+  const PlannedCell& cell = values.cells().front();
+  EXPECT_EQ(cell.cell.gradient_price, "n");
+  EXPECT_EQ(cell.budget.gradient_price, std::nullopt);
+  EXPECT_EQ(cell.gradient_prices, (std::vector<std::string>{"measured", "n", "8"}));
+  EXPECT_EQ(cell.parts, std::vector<std::size_t>{0});
+  Catalogue catalogue = made_up_catalogue();
+  for (Solver& solver : catalogue.solvers) {
+    solver.capabilities.derivatives = Capabilities::Order::gradient;
+  }
+  for (Problem& problem : catalogue.families[0].problems) {
+    problem.differentiate = [](const Vector&) { return Derivatives(); };
+  }
+  const Campaign gradients(plan_from(plan, "test"), catalogue);
+  ASSERT_EQ(gradients.cells().size(), 2U) << "8 is n";
+  EXPECT_EQ(gradients.cells()[0].gradient_prices, std::vector<std::string>{"measured"});
+  EXPECT_EQ(gradients.cells()[1].gradient_prices, (std::vector<std::string>{"n", "8"}));
 }
 
 TEST(Campaign, SpendsABudgetForEachVariableAndCountsIt) {

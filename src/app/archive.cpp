@@ -117,7 +117,8 @@ std::string archive_named(const std::string& name) {
 }
 
 Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
-                          const Catalogue& catalogue, const std::string& out) {
+                          const std::vector<std::string>& problems, const Catalogue& catalogue,
+                          const std::string& out) {
   const Store store = Store::open(archive, Store::For::reading);
   const CampaignDescription& description = store.description();
   const ChangedSolvers changes = changed_solvers(description, catalogue);
@@ -129,7 +130,7 @@ Plan plan_against_archive(const std::string& archive, const std::vector<std::str
     warn(fmt::format("{} has runs of other versions: {}", archive,
                      fmt::join(changes.changed, ", ")));
   }
-  Plan plan = plan_against(description, own_solvers, catalogue);
+  Plan plan = plan_against(description, own_solvers, catalogue, problems);
   const fs::path file = fs::path(out) / "runs.sqlite";
   if (fs::exists(file)) return plan;
   const Campaign campaign = campaign_of(description, plan, catalogue);

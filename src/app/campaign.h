@@ -81,11 +81,13 @@ void announce_programs(const std::vector<std::string>& programs, bool allowed,
 /// The file of an archive: that of the reference's runs, which is included, for the name "archive".
 std::string archive_named(const std::string& name);
 
-/// The plan that compares the user's solvers with those of an archive. If `out` has no store yet,
+/// The plan that compares the user's solvers with those of an archive, on the problems that fit the
+/// patterns, or on all without any. If `out` has no store yet,
 /// makes it, with the archive's runs. Writes to standard error which solvers of the archive this
 /// build lacks, or has in another version.
 Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
-                          const Catalogue& catalogue, const std::string& out);
+                          const std::vector<std::string>& problems, const Catalogue& catalogue,
+                          const std::string& out);
 
 /// Prints how far two stores or archives order their entries alike, by family, and which entries
 /// changed from the first to the second: see entry_changes().

@@ -8,6 +8,7 @@
 #include "src/app/campaign.h"
 #include "src/app/command_line.h"
 #include "src/app/scene_choice.h"
+#include "src/core/names.h"
 #include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
@@ -33,6 +34,13 @@ int carry_out(const Plan& plan, const Catalogue& catalogue, bool quick, const st
   return 0;
 }
 
+/// The patterns of --problems, or of --family; empty if neither is given.
+std::string problem_patterns(const CompareOptions& options, const Catalogue& catalogue) {
+  if (options.family.empty()) return options.compared.problems;
+  const auto name_of = [](const Family& family) { return family.name; };
+  return named(catalogue.families, options.family, "family", name_of).name + "-*";
+}
+
 int compare_problems(const CompareOptions& options, const StudyOptions& study) {
   studies::ComparisonOptions compared = options.compared;
   const SceneChoice& machine = options.machine;
@@ -44,21 +52,21 @@ int compare_problems(const CompareOptions& options, const StudyOptions& study) {
   }
   const auto start = std::chrono::steady_clock::now();
   const Catalogue catalogue = studies::whole_catalogue();
-  if (!options.family.empty()) {
-    const auto name_of = [](const Family& family) { return family.name; };
-    compared.problems = named(catalogue.families, options.family, "family", name_of).name + "-*";
-  }
+  compared.problems = problem_patterns(options, catalogue);
   const Plan plan = studies::comparison_plan(compared, study.quick, catalogue);
   return carry_out(plan, catalogue, study.quick, study.out, start);
 }
 
 /// Compares the user's solvers with those whose runs an archive has.
-int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
-                    const std::string& out) {
+int compare_against(const CompareOptions& options, const std::string& out) {
   const auto start = std::chrono::steady_clock::now();
+  const std::vector<std::string>& own_solvers = options.compared.added_solvers;
   if (own_solvers.empty()) throw InputError("--against: needs --solver, your own solver");
   const Catalogue catalogue = studies::whole_catalogue();
-  const Plan plan = plan_against_archive(archive_named(archive), own_solvers, catalogue, out);
+  const std::string patterns = problem_patterns(options, catalogue);
+  const Plan plan = plan_against_archive(
+      archive_named(options.against), own_solvers,
+      patterns.empty() ? std::vector<std::string>() : split_patterns(patterns), catalogue, out);
   return carry_out(plan, catalogue, false, out, start);
 }
 
@@ -66,7 +74,7 @@ int compare(const CompareOptions& options, const StudyOptions& study) {
   const std::vector<std::string>& stores = options.stores;
   if (!stores.empty()) return compare_stores(stores[0], stores[1], options.json);
   if (!options.against.empty()) {
-    return compare_against(options.against, options.compared.added_solvers, study.out);
+    return compare_against(options, study.out);
   }
   return compare_problems(options, study);
 }
@@ -81,7 +89,7 @@ void add_compare(CommandLine& line) {
       "  ricochet compare --family pathological --solvers 'nlopt-*'\n"
       "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
       "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'\n"
-      "  ricochet compare --solver ./mine.so --against archive\n"
+      "  ricochet compare --solver ./mine.so --against archive --problems 'hs-*,least-squares-*'\n"
       "  ricochet compare --stores archive mine/runs.sqlite");
   const auto options = std::make_shared<CompareOptions>();
   const auto study =
@@ -101,7 +109,9 @@ void add_compare(CommandLine& line) {
   add_format(command, options->json);
   command->get_option("--format")->needs(stores);
   add_value(command, "--problems", options->compared.problems,
-            "Patterns, separated by commas; default: 48 problems of 1 to 32 variables", "PROBLEMS");
+            "Patterns, separated by commas; default: 48 problems of 1 to 32 variables; with "
+            "--against those of the archive",
+            "PROBLEMS");
   command->add_option("--family", options->family, "Problems of this family")
       ->type_name("FAMILY")
       ->excludes("--scene", "--problems");
@@ -120,9 +130,8 @@ void add_compare(CommandLine& line) {
       ->delimiter(',');
   add_value(command, "--instances", options->compared.instances, "Instances of every problem");
   add_limits(command, options->compared.limits);
-  for (const char* option :
-       {"--scene", "--set", "--problems", "--family", "--solvers", "--formulations", "--smoothings",
-        "--budget", "--instances", "--quick", "--stores"}) {
+  for (const char* option : {"--scene", "--set", "--solvers", "--formulations", "--smoothings",
+                             "--budget", "--instances", "--quick", "--stores"}) {
     against->excludes(command->get_option(option));
   }
   line.on_call(command, [options, study] { return compare(*options, *study); });

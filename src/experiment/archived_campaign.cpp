@@ -66,6 +66,26 @@ bool has(const std::vector<Entry>& entries, const Entry& entry) {
   return std::ranges::find(entries, entry) != entries.end();
 }
 
+/// Leaves only the archive's problems that fit the patterns, and the parts that have some.
+void keep_problems(Plan& plan, const CampaignDescription& archive,
+                   const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  for (const StoredProblem& problem : archive.problems) names.push_back(problem.name);
+  for (const std::string& pattern : patterns) require_fit({pattern}, names, "--problems");
+  for (PlanPart& part : plan.parts) {
+    std::vector<std::string> kept;
+    for (const StoredProblem& problem : archive.problems) {
+      const bool asked = fits_any(problem.name, part.problems) &&
+                         part.least_variables <= problem.variables &&
+                         problem.variables <= part.most_variables &&
+                         (!part.constrained || *part.constrained == (problem.constraints > 0));
+      if (asked && fits_any(problem.name, patterns)) kept.push_back(problem.name);
+    }
+    part.problems = std::move(kept);
+  }
+  std::erase_if(plan.parts, [](const PlanPart& part) { return part.problems.empty(); });
+}
+
 /// Adds the solvers of a part to those of another, as far as no pattern fits them.
 void add_solvers(const PlanPart& from, PlanPart& to) {
   for (const std::string& solver : from.solvers) {
@@ -76,9 +96,10 @@ void add_solvers(const PlanPart& from, PlanPart& to) {
 }  // namespace
 
 Plan plan_against(const CampaignDescription& archive, const std::vector<std::string>& own_solvers,
-                  const Catalogue& catalogue) {
+                  const Catalogue& catalogue, const std::vector<std::string>& problems) {
   Plan plan = plan_from(archive.plan, "the archive's plan");
   plan.name = "compare against " + plan.name;
+  if (!problems.empty()) keep_problems(plan, archive, problems);
   for (PlanPart& part : plan.parts) {
     std::vector<std::string> solvers;
     for (const StoredSolver& solver : archive.solvers) {

@@ -12,9 +12,10 @@
 namespace ricochet {
 
 /// The plan of an archive with the user's solvers added: as these are run, all runs of the others
-/// are there. Leaves out solvers of the archive that the catalogue lacks.
+/// are there. Leaves out solvers of the archive that the catalogue lacks. Only on problems that fit
+/// the patterns, if there are any; throws InputError for a pattern that fits none of the archive's.
 Plan plan_against(const CampaignDescription& archive, const std::vector<std::string>& own_solvers,
-                  const Catalogue& catalogue);
+                  const Catalogue& catalogue, const std::vector<std::string>& problems = {});
 
 /// Solvers of an archive that the catalogue lacks, or has in another version.
 struct ChangedSolvers {

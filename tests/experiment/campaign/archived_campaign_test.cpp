@@ -62,6 +62,20 @@ TEST_F(ArchivedCampaign, LeavesOnlyTheUsersRunsToBeMade) {
   EXPECT_EQ(joint.store.size(), joint.campaign.runs());
 }
 
+TEST_F(ArchivedCampaign, ComparesOnSomeOfItsProblems) {
+  const CampaignDescription description = Store::open(archive_, Store::For::reading).description();
+  const Plan plan = plan_against(description, {"./mine"}, catalogue_, {"*-2"});
+  ASSERT_EQ(plan.parts.size(), 1U);
+  EXPECT_THAT(plan.parts[0].problems, ElementsAre("bowl-2"));
+  const Campaign campaign(plan, catalogue_);
+  EXPECT_EQ(campaign.runs(), 3 * 3);
+  start_against(Store::open(archive_, Store::For::reading), archive_, campaign,
+                {{{"version", "2"}}, {}}, folder_ / "some.sqlite");
+  EXPECT_EQ(Store::open(folder_ / "some.sqlite", Store::For::reading).size(), 2 * 3);
+  EXPECT_THAT([&] { plan_against(description, {"./mine"}, catalogue_, {"bowl-8"}); },
+              ThrowsMessage<InputError>(HasSubstr("bowl-8")));
+}
+
 TEST_F(ArchivedCampaign, LeavesOutSolversThatAreNotThere) {
   Catalogue here = catalogue_;
   std::erase_if(here.solvers, [](const Solver& solver) { return solver.name == "chance-a"; });

@@ -1,5 +1,7 @@
 #include "problems/classic/classic.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +13,16 @@
 
 namespace ricochet::classic {
 
+namespace {
+
+/// "classic-rosenbrock" of "classic-rosenbrock-20".
+std::string function_of(const std::string& name) {
+  const std::size_t end = name.find_last_not_of("0123456789");
+  return name.substr(0, name[end] == '-' ? end : std::string::npos);
+}
+
+}  // namespace
+
 std::vector<Problem> classic_problems() {
   std::vector<Problem> problems = {
       sphere(5),          ellipsoid(5),      ellipsoid(20),    rosenbrock(2),
@@ -21,6 +33,7 @@ std::vector<Problem> classic_problems() {
       shekel(),           beale(),           booth(),          himmelblau(),
       goldstein_price(),  branin(),          six_hump_camel(),
   };
+  for (Problem& problem : problems) problem.cluster = function_of(problem.name);
   const std::vector<Problem> constrained = hock_schittkowski_problems();
   problems.insert(problems.end(), constrained.begin(), constrained.end());
   return problems;
@@ -42,7 +55,8 @@ Statement statement_of(const Benchmark& benchmark, Eigen::Index residuals, doubl
           .best_point = best,
           .provenance = benchmark.provenance,
           .rotates = benchmark.rotates,
-          .start_scales = benchmark.rotates ? std::vector<double>{1, 10, 100} : std::vector{1.0}};
+          .start_scales = benchmark.rotates ? std::vector<double>{1, 10, 100} : std::vector{1.0},
+          .cluster = fmt::format("least-squares-{}", benchmark.name)};
 }
 
 std::string more_garbow_hillstrom(int number) {

@@ -18,6 +18,7 @@ Problem without_functions(Statement statement) {
   if (problem.provenance.starts_with(closed_form)) problem.lower_bound = problem.best_known;
   problem.rotates = statement.rotates;
   problem.start_scales = std::move(statement.start_scales);
+  problem.cluster = std::move(statement.cluster);
   return problem;
 }
 

@@ -38,6 +38,7 @@ struct Statement {
   std::string provenance = {};
   bool rotates = false;
   std::vector<double> start_scales = {};  ///< see Problem
+  std::string cluster = {};               ///< see Problem
 };
 
 /// The problem without its functions.

@@ -11,6 +11,35 @@
 
 namespace ricochet::classic {
 
+namespace {
+
+/// Problems that share their objective, or their model: of each list one cluster.
+const std::vector<std::vector<int>>& alike() {
+  static const std::vector<std::vector<int>> lists = {
+      {1, 2, 15, 16, 17, 20, 58},  // Rosenbrock's valley
+      {36, 37},                    // the largest box
+      {51, 52, 53},                // squares under three linear equations
+      {68, 69},                    // a control chart
+      {74, 75},                    // two generators
+      {78, 80, 81},                // a product under three equations
+      {86, 117},                   // a convex problem and its dual
+      {88, 89, 90, 91, 92},        // a heated rod
+      {95, 96, 97, 98},            // other limits
+      {101, 102, 103},             // a geometric program with another exponent
+      {111, 112},                  // a chemical equilibrium, in logarithms and in moles
+  };
+  return lists;
+}
+
+std::string cluster_of(int number) {
+  for (const std::vector<int>& list : alike()) {
+    if (std::ranges::find(list, number) != list.end()) return fmt::format("hs-{}", list.front());
+  }
+  return fmt::format("hs-{}", number);
+}
+
+}  // namespace
+
 std::vector<Problem> hock_schittkowski_problems() {
   std::vector<Problem> problems;
   for (const auto& part :
@@ -39,7 +68,8 @@ Statement hock_schittkowski(int number, const std::string& author, Vector lower,
           .best_point = std::move(optimum.point),
           .provenance = std::move(optimum.provenance),
           .rotates = optimum.everywhere,
-          .start_scales = {1}};
+          .start_scales = {1},
+          .cluster = cluster_of(number)};
 }
 
 Problem with_equations(Problem problem, Eigen::Index equations) {

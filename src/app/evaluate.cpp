@@ -88,6 +88,7 @@ Json description_of(const Problem& asked, const Formulation& formulation, const 
   return {
       {"problem", asked.name},
       {"source", problem.source},
+      {"cluster", asked.cluster.empty() ? asked.name : asked.cluster},
       {"formulation", asked.name_of(formulation)},
       {"formulations",
        report::list_of(asked.formulations(),

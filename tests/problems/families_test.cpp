@@ -38,6 +38,36 @@ TEST(Families, HaveDistinctNamesAndSoDoTheirProblems) {
   EXPECT_EQ(problems.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 2 * 2 + 1 + 15 + 27 + 116 + 53 + 9);
 }
 
+TEST(Families, HaveClustersOfProblemsThatAreAlike) {
+  std::map<std::string, std::string> family_of;  // by cluster
+  std::map<std::string, std::map<std::string, std::set<std::string>>> members;
+  for (const Family& family : families()) {
+    for (const Problem& problem : family.problems) {
+      const std::string& cluster = problem.cluster.empty() ? problem.name : problem.cluster;
+      EXPECT_EQ(family_of.try_emplace(cluster, family.name).first->second, family.name) << cluster;
+      members[family.name][cluster].insert(problem.name);
+    }
+  }
+  const std::map<std::string, std::size_t> clusters = {
+      {"count", 8},        {"top-speed", 8},      {"profile-count", 8},
+      {"profile-wear", 8}, {"robust-mean", 8},    {"hard-top-speed", 15},
+      {"classic", 22},     {"least-squares", 22}, {"hs", 92}};
+  for (const auto& [family, number] : clusters) EXPECT_EQ(members[family].size(), number) << family;
+  const auto together = [&](const std::string& family, const std::set<std::string>& problems) {
+    for (const auto& [cluster, names] : members[family]) {
+      if (names == problems) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(together("top-speed", {"top-speed-C1", "top-speed-C5"}));
+  EXPECT_TRUE(together("top-speed", {"top-speed-C9"}))
+      << "its disturbance is nearly as strong as friction";
+  EXPECT_TRUE(together("hs", {"hs-88", "hs-89", "hs-90", "hs-91", "hs-92"}));
+  EXPECT_TRUE(together("classic",
+                       {"classic-rosenbrock-2", "classic-rosenbrock-5", "classic-rosenbrock-20"}));
+  EXPECT_TRUE(together("classic", {"classic-branin"}));
+}
+
 TEST(Families, HaveProblemsThatHoldTogether) {
   for (const Family& family : families()) {
     for (const Problem& problem : family.problems) {

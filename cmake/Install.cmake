@@ -97,6 +97,7 @@ install(DIRECTORY reports/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports 
         FILES_MATCHING PATTERN *.md PATTERN *.svg)
 install(DIRECTORY src/studies/simulators/tools/ DESTINATION share/ricochet/simulators COMPONENT ricochet)
 install(FILES reports/archive/reference.archive DESTINATION share/ricochet COMPONENT ricochet)
+install(FILES solvers/outside/scipy_solvers.py DESTINATION share/ricochet COMPONENT ricochet)
 
 # The manual and the completions, made of the one description of the commands.
 set(descriptions ${PROJECT_BINARY_DIR}/descriptions)

@@ -79,7 +79,7 @@ ricochet_package(ricochet science "fastest quiet speed of a braiding machine, an
 "ricochet simulates a yarn carrier that rattles in the track of a braiding
 machine and counts its impacts. It finds how fast the machine may turn, and
 benchmarks solvers of nonlinear programming on that question."
-  SUGGESTS ricochet-mpi ricochet-tao python3-ricochet libricochet-dev)
+  SUGGESTS ricochet-mpi ricochet-tao python3-ricochet python3-scipy libricochet-dev)
 ricochet_package(libricochet${abi} libs "problems of ricochet, for programs of any language"
 "The shared library through which optimisers ask for values and derivatives of
 the problems of ricochet.")

@@ -74,6 +74,32 @@ inline constexpr Capabilities tao_gradient_capabilities = {.derivatives =
                                                                Capabilities::Order::gradient};
 inline constexpr Capabilities tao_residual_capabilities = {.needs_residuals = true};
 
+/// Solvers of SciPy (Virtanen et al., Nature Methods 17 (2020) 261-272; doi
+/// 10.1038/s41592-019-0686-2), in the problem's own coordinates with SciPy's own settings. Those
+/// that take gradients are given exact ones, at the points where SciPy asks for them. A number that
+/// is not finite counts as infinite.
+struct ScipySolver {
+  const char* name;
+  Capabilities capabilities;
+  bool stochastic;
+};
+inline constexpr ScipySolver scipy_list[] = {
+    // Kraft, DFVLR-FB 88-28 (1988).
+    {"scipy-slsqp",
+     {.constraints = Capabilities::Constraints::all, .derivatives = Capabilities::Order::gradient},
+     false},
+    // Zhu, Byrd, Lu and Nocedal, ACM Trans. Math. Softw. 23 (1997) 550-560.
+    {"scipy-l-bfgs-b", {.derivatives = Capabilities::Order::gradient}, false},
+    // Xiang, Sun, Fan and Gong, Phys. Lett. A 233 (1997) 216-220, with L-BFGS-B by differences.
+    {"scipy-dual-annealing", {}, true},
+    // Storn and Price, J. Global Optim. 11 (1997) 341-359; constraints by Lampinen, CEC 2002.
+    {"scipy-differential-evolution", {.constraints = Capabilities::Constraints::all}, true}};
+
+/// Those of scipy_list, served by a program in Python; none if it, or the SciPy that ricochet was
+/// configured with, is missing. Copies of one program serve all threads of all processes that run
+/// solvers. A run fails, with std::runtime_error, if that program ends or has another SciPy.
+std::vector<Solver> scipy_solvers();
+
 /// Bisection, as an engineer would do it by hand: if the end of the box with the best objective is
 /// infeasible, halves the interval between it and the other end until it encloses the limit of the
 /// feasible set. For one variable, with inequalities. The start is the first point tried between

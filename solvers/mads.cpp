@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "solvers/unit_box.h"
@@ -37,7 +40,10 @@ Progress Barrier::add(const Trial& trial) {
 }
 
 Progress Barrier::add_feasible(const Trial& trial) {
-  if (!next_feasible_ || trial.objective <= next_feasible_->objective) next_feasible_ = trial;
+  const bool ties = next_feasible_ && trial.objective == next_feasible_->objective;
+  if (!next_feasible_ || trial.objective < next_feasible_->objective || (ties && accepts_ties_)) {
+    next_feasible_ = trial;
+  }
   const bool beats = !feasible_ || trial.objective < feasible_->objective;
   return beats ? Progress::dominating : Progress::none;
 }
@@ -74,16 +80,29 @@ void Barrier::settle(Progress progress) {
 
 namespace {
 
+/// The defaults are those of NOMAD.
 struct Options {
-  double finest_mesh = 1e-8;  ///< of the box
-  int mesh_index = 2;         ///< at the beginning
-  double further = 3;         ///< how far to look ahead after a success, in lengths of its step
+  double scale = 0.1;          ///< mesh and poll at index 0, as a share of the box
+  int coarsest = -3;           ///< index, with polls at 0.8 of the box
+  int mesh_index = 0;          ///< at the beginning
+  double finest_mesh = 1e-15;  ///< of the box: ours, with polls at 1e-8 of it
+  double further = 3;          ///< how far to look ahead after a success, in lengths of its step
+  double trigger = 0.1;        ///< the infeasible incumbent comes first if it is so much lower
+  bool accepts_ties = false;   ///< see Barrier
 };
+
+/// What did best on this suite.
+constexpr Options tuned_options = {.scale = 1,
+                                   .coarsest = 1,
+                                   .mesh_index = 2,
+                                   .finest_mesh = 1e-8,
+                                   .trigger = std::numeric_limits<double>::infinity(),
+                                   .accepts_ties = true};
 
 template <class Visit, IsOf<Options>... O>
 void visit_fields(const Visit& visit, O&... o) {
-  visit(real_option("finest_mesh", 1e-12, 0.25), o.finest_mesh...);
-  visit(whole_option("mesh_index", 1, 12), o.mesh_index...);
+  visit(real_option("finest_mesh", 1e-15, 0.25), o.finest_mesh...);
+  visit(whole_option("mesh_index", 0, 12), o.mesh_index...);
   visit(real_option("further", 0, 100), o.further...);
 }
 
@@ -96,7 +115,8 @@ class Search {
         random_(random),
         box_(evaluator),
         has_width_(evaluator.upper().array() > evaluator.lower().array()),
-        mesh_(options.mesh_index) {}
+        mesh_(options.mesh_index, options.coarsest, options.scale),
+        barrier_(options.accepts_ties) {}
 
   SolverTermination run(const Vector& start) {
     start_ = inside(box_.to_unit(start));
@@ -120,18 +140,21 @@ class Search {
   Progress look_further() { return try_step(last_success_, options_.further * last_step_); }
 
   Progress poll() {
-    const Matrix basis = poll_basis(normal(start_.size(), random_), mesh_.index());
+    const Matrix basis = poll_basis(normal(start_.size(), random_), std::abs(mesh_.index()));
     const std::vector<Vector> directions = poll_directions(basis, last_step_);
     const auto& feasible = barrier_.feasible();
     const auto& infeasible = barrier_.infeasible();
     if (!feasible) return poll_around(infeasible ? infeasible->u : start_, directions);
-    const Progress progress = poll_around(feasible->u, directions);
-    if (progress == Progress::dominating || !infeasible ||
-        infeasible->objective >= feasible->objective) {
-      return progress;
+    if (!infeasible || infeasible->objective >= feasible->objective) {
+      return poll_around(feasible->u, directions);
     }
-    const Vector& first = directions.front();
-    return std::max(progress, poll_around(infeasible->u, {first, -first}));
+    const bool swapped = infeasible->objective < feasible->objective - options_.trigger;
+    const auto [first, second] =
+        swapped ? std::pair(infeasible->u, feasible->u) : std::pair(feasible->u, infeasible->u);
+    const Progress progress = poll_around(first, directions);
+    if (progress == Progress::dominating) return progress;
+    const Vector& along = directions.front();
+    return std::max(progress, poll_around(second, {along, -along}));
   }
 
   Progress poll_around(const Vector& centre, const std::vector<Vector>& directions) {
@@ -179,10 +202,11 @@ class Search {
   bool succeeded_ = false;
 };
 
-Solver made(const Options& options) {
+Solver made(const std::string& name, const Options& options) {
   Solver solver;
-  solver.name = "mads";
+  solver.name = name;
   solver.version = "ricochet " RICOCHET_VERSION;
+  if (name == "mads") solver.version += " (adapter 2)";  // the first was what is now mads-tuned
   solver.stochastic = true;
   solver.capabilities.constraints = Capabilities::Constraints::all;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random& random) {
@@ -193,12 +217,16 @@ Solver made(const Options& options) {
 
 }  // namespace
 
-Solver mads() {
-  return made({});
+Solver mads(Settings settings) {
+  return settings == Settings::tuned ? made("mads-tuned", tuned_options) : made("mads", {});
 }
 
-AdjustableSolver adjustable_mads() {
-  return adjustable("mads", Options(), made);
+std::vector<AdjustableSolver> adjustable_mads() {
+  const auto named = [](const char* name) {
+    return [=](const Options& options) { return made(name, options); };
+  };
+  return {adjustable("mads", Options(), named("mads")),
+          adjustable("mads-tuned", tuned_options, named("mads-tuned"))};
 }
 
 namespace {

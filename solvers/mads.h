@@ -35,8 +35,11 @@ enum class Progress {
 /// found. The search polls around both points.
 class Barrier {
  public:
-  /// Compares a trial with the incumbents. A trial that is not a number is ignored. A feasible
-  /// trial that ties with the best is no progress, but replaces it.
+  /// `accepts_ties`: a feasible trial that ties with the best replaces it, though it is no
+  /// progress.
+  explicit Barrier(bool accepts_ties) : accepts_ties_(accepts_ties) {}
+
+  /// Compares a trial with the incumbents. A trial that is not a number is ignored.
   Progress add(const Trial& trial);
 
   /// Ends an iteration with this progress: the best trials become the incumbents.
@@ -50,6 +53,7 @@ class Barrier {
   Progress add_feasible(const Trial& trial);
   Progress add_infeasible(const Trial& trial);
 
+  bool accepts_ties_;
   std::optional<Trial> feasible_, infeasible_;
   std::optional<Trial> next_feasible_;
   std::vector<Trial> undominated_;  // infeasible, within the limit
@@ -64,34 +68,40 @@ class Barrier {
 /// first point that beats an incumbent ends the iteration, and the mesh becomes coarser; if there
 /// is none, the mesh is refined. Points outside the box are moved to its faces.
 ///
-/// It polls in all directions around the feasible incumbent, and in two opposite directions around
-/// the infeasible one if that has a lower objective. A feasible point that ties with its incumbent
-/// is no success, but replaces it, so that the search moves along a plateau. Ends when the mesh is
-/// finer than 1e-8 of the box, with polls at 1e-4 of it; it can then be restarted elsewhere.
-Solver mads();
+/// If there is a feasible incumbent and an infeasible one with a lower objective, it polls in all
+/// directions around the feasible one, and in two opposite directions around the other; the other
+/// way round if the infeasible one is lower by more than the trigger of the progressive barrier,
+/// 0.1. The first poll is at 0.1 of the box. These are the settings of NOMAD 3 (Le Digabel, ACM
+/// Trans. Math. Softw. 37 (2011) 44; doi 10.1145/1916461.1916468). Ends when polls are at 1e-8 of
+/// the box; it can then be restarted elsewhere.
+///
+/// "mads-tuned": with what did best on this suite. The first poll is at a quarter of the box, and
+/// the feasible incumbent always comes first. A feasible point that ties with its incumbent is no
+/// success, but replaces it, so that the search moves along a plateau. Ends when polls are at 1e-4
+/// of the box.
+Solver mads(Settings settings);
 
-/// Options: "finest_mesh", as a share of the box; "mesh_index", the initial index, with polls at
-/// 2^-index of the box; and "further", how far to look along the last success, in lengths of its
-/// step (0: not at all).
-AdjustableSolver adjustable_mads();
+/// Options: "finest_mesh", as a share of the box; "mesh_index", the initial index, see Mesh; and
+/// "further", how far to look along the last success, in lengths of its step (0: not at all).
+std::vector<AdjustableSolver> adjustable_mads();
 
-/// Mesh size in the unit box and distance of a poll from its centre: 4^-index and 2^-index, so that
-/// a finer mesh offers more directions (Abramson, Audet, Dennis and Le Digabel 2009, doi
-/// 10.1137/080716980, table 3.1).
+/// Mesh size and distance of a poll from its centre, as shares of a scale: 4^-index and 2^-index,
+/// so that a finer mesh offers more directions; 1 and 2^-index if the index is negative (Abramson,
+/// Audet, Dennis and Le Digabel 2009, doi 10.1137/080716980, table 3.1).
 class Mesh {
  public:
-  explicit Mesh(int index = 2) : index_(index) {}  // a quarter of the box, as in NLopt's solvers
+  /// `scale`: of the box. The index does not fall below `coarsest` when a mesh is made coarser.
+  Mesh(int index, int coarsest, double scale) : index_(index), coarsest_(coarsest), scale_(scale) {}
 
   int index() const { return index_; }
-  double spacing() const { return std::ldexp(1.0, -2 * index_); }
+  double spacing() const { return scale_ * std::ldexp(1.0, -2 * std::max(index_, 0)); }
 
   void refine() { ++index_; }
-  void coarsen() { index_ = std::max(index_ - 1, coarsest); }
+  void coarsen() { index_ = std::min(index_, std::max(index_ - 1, coarsest_)); }
 
  private:
-  static constexpr int coarsest = 1;  // polls at half the box
-
-  int index_;
+  int index_, coarsest_;
+  double scale_;
 };
 
 // The directions of OrthoMADS: Abramson, Audet, Dennis and Le Digabel, SIAM J. Optim. 20 (2009)

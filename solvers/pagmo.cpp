@@ -190,7 +190,7 @@ void visit_fields(const Visit& visit, O&... o) {
 }
 
 struct RestartedCmaesOptions {
-  CmaesOptions cmaes = {.initial_step = tuned_step};
+  CmaesOptions cmaes = {};
   int growth = 2;  ///< of the population at every restart
 };
 
@@ -221,9 +221,9 @@ Solver cmaes(const std::string& name, const CmaesOptions& options) {
       });
 }
 
-Solver cmaes_ipop(const RestartedCmaesOptions& options) {
-  return pagmo_solver(
-      "cmaes-ipop", pagmo_bounds_only,
+Solver cmaes_ipop(const std::string& name, const RestartedCmaesOptions& options) {
+  Solver solver = pagmo_solver(
+      name, pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
         UnitBox box(evaluator);
         Vector from = start;
@@ -233,7 +233,12 @@ Solver cmaes_ipop(const RestartedCmaesOptions& options) {
           from = uniform_point(evaluator.lower(), evaluator.upper(), random);
         }
       });
+  // The first was what is now pagmo-cmaes-ipop-tuned.
+  if (name == "cmaes-ipop") solver.version += " (adapter 2)";
+  return solver;
 }
+
+constexpr RestartedCmaesOptions tuned_restarts = {.cmaes = {.initial_step = tuned_step}};
 
 }  // namespace
 
@@ -242,18 +247,23 @@ Solver pagmo_cmaes(Settings settings) {
                                      : cmaes("cmaes", {});
 }
 
-Solver pagmo_cmaes_ipop() {
-  return cmaes_ipop({});
+Solver pagmo_cmaes_ipop(Settings settings) {
+  return settings == Settings::tuned ? cmaes_ipop("cmaes-ipop-tuned", tuned_restarts)
+                                     : cmaes_ipop("cmaes-ipop", {});
 }
 
 std::vector<AdjustableSolver> adjustable_pagmo_cmaes() {
   const auto named = [](const char* name) {
     return [=](const CmaesOptions& options) { return cmaes(name, options); };
   };
+  const auto restarted = [](const char* name) {
+    return [=](const RestartedCmaesOptions& options) { return cmaes_ipop(name, options); };
+  };
   const CmaesOptions tuned = {.initial_step = tuned_step};
   return {adjustable("pagmo-cmaes", CmaesOptions(), named("cmaes")),
           adjustable("pagmo-cmaes-tuned", tuned, named("cmaes-tuned")),
-          adjustable("pagmo-cmaes-ipop", RestartedCmaesOptions(), cmaes_ipop)};
+          adjustable("pagmo-cmaes-ipop", RestartedCmaesOptions(), restarted("cmaes-ipop")),
+          adjustable("pagmo-cmaes-ipop-tuned", tuned_restarts, restarted("cmaes-ipop-tuned"))};
 }
 
 namespace {

@@ -19,13 +19,13 @@ inline constexpr Capabilities pagmo_needs_constraints = {
 
 /// "pagmo-cmaes": the evolution strategy with covariance matrix adaptation (Hansen, in: Towards a
 /// New Evolutionary Computation, 2006, 75-102; doi 10.1007/3-540-32494-1_4), with 4 + floor(3 ln n)
-/// points a generation, at least 5.
+/// points a generation, at least 5. Tuned: with a first step of 0.25 of the box.
 Solver pagmo_cmaes(Settings settings);
 
-/// "pagmo-cmaes-ipop": the same with a first step of 0.25 of the box. Whenever it ends, it restarts
-/// elsewhere with twice as many points (Auger and Hansen, CEC 2005, 1769-1776; doi
-/// 10.1109/CEC.2005.1554902), until the evaluator refuses.
-Solver pagmo_cmaes_ipop();
+/// "pagmo-cmaes-ipop": the same, but whenever it ends, it restarts elsewhere with twice as many
+/// points, until the evaluator refuses (Auger and Hansen, CEC 2005, 1769-1776; doi
+/// 10.1109/CEC.2005.1554902, whose first step is 0.5 of the box, too).
+Solver pagmo_cmaes_ipop(Settings settings);
 
 /// "pagmo-xnes": exponential natural evolution strategies (Glasmachers et al., GECCO 2010, 393-400;
 /// doi 10.1145/1830483.1830557), with as many points a generation as pagmo_cmaes().

@@ -17,7 +17,8 @@ std::vector<Solver> all_solvers() {
       scan(),
       bisection(),
       golden_section(),
-      mads(),
+      mads(Settings::own),
+      mads(Settings::tuned),
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),
@@ -31,7 +32,8 @@ std::vector<Solver> all_solvers() {
 #ifdef RICOCHET_HAS_PAGMO
       pagmo_cmaes(Settings::own),
       pagmo_cmaes(Settings::tuned),
-      pagmo_cmaes_ipop(),
+      pagmo_cmaes_ipop(Settings::own),
+      pagmo_cmaes_ipop(Settings::tuned),
       pagmo_xnes(),
       pagmo_de(),
       pagmo_sade(),
@@ -52,11 +54,12 @@ std::vector<Solver> all_solvers() {
 #ifdef RICOCHET_HAS_TAO
   for (Solver& solver : tao_solvers()) solvers.push_back(std::move(solver));
 #endif
+  for (Solver& solver : scipy_solvers()) solvers.push_back(std::move(solver));
   return solvers;
 }
 
 std::vector<MissingSolver> missing_solvers() {
-  return {
+  std::vector<MissingSolver> missing = {
 #ifndef RICOCHET_HAS_IPOPT
       {"ipopt", "Ipopt", ipopt_capabilities},
       {"ipopt-tuned", "Ipopt", ipopt_capabilities},
@@ -71,6 +74,7 @@ std::vector<MissingSolver> missing_solvers() {
       {"pagmo-cmaes", "pagmo", pagmo_bounds_only},
       {"pagmo-cmaes-tuned", "pagmo", pagmo_bounds_only},
       {"pagmo-cmaes-ipop", "pagmo", pagmo_bounds_only},
+      {"pagmo-cmaes-ipop-tuned", "pagmo", pagmo_bounds_only},
       {"pagmo-xnes", "pagmo", pagmo_bounds_only},
       {"pagmo-de", "pagmo", pagmo_bounds_only},
       {"pagmo-sade", "pagmo", pagmo_bounds_only},
@@ -90,6 +94,12 @@ std::vector<MissingSolver> missing_solvers() {
       {"dlib-global-search", "dlib", dlib_capabilities},
 #endif
   };
+  if (scipy_solvers().empty()) {
+    for (const ScipySolver& each : scipy_list) {
+      missing.push_back({each.name, "SciPy", each.capabilities});
+    }
+  }
+  return missing;
 }
 
 Solver solver_named(const std::string& name, const std::string& asked_by) {

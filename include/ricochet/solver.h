@@ -79,6 +79,10 @@ struct Solver {
   /// be called from several threads at once.
   std::function<SolverTermination(Evaluator&, const Vector& start, Random& random)> solve;
 
+  /// Called in a process that is about to make others that run the solver, for what they can share;
+  /// may be empty.
+  std::function<void()> prepare = {};
+
   /// Hash of the files that a user's solver consists of, when it was loaded; empty: of the suite.
   std::string content = {};
   /// Returns the file of a user's solver that is another one now; "" if there is none.

@@ -98,10 +98,12 @@ void explode_until_refused(const BareBonesFireworksOptions& options, Evaluator& 
   if (!values) return;
   TrueValues worth = worth_of(*values, equalities);
   double amplitude = 1;
+  const int sparks =
+      options.scaled ? scaled_sparks(options.sparks, evaluator.remaining()) : options.sparks;
   while (true) {
     Vector spark, best;
     TrueValues best_worth;
-    for (int k = 0; k < options.sparks; ++k) {
+    for (int k = 0; k < sparks; ++k) {
       spark = firework;
       displace(spark, box.free(), amplitude, box.width(), Offsets::each, random);
       box.bring_back(spark, options.mapping, random);

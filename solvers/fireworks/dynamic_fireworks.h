@@ -29,6 +29,7 @@ Solver dynamic_fireworks(std::string name, const DynamicFireworksOptions& option
 /// The defaults are the paper's.
 struct BareBonesFireworksOptions {
   int sparks = 300;           ///< in each generation
+  bool scaled = false;        ///< fewer sparks for a budget below the published: scaled_sparks()
   AmplitudeSteps steps = {};  ///< of the amplitude, which starts at a box width
   Mapping mapping = Mapping::redraw;
   bool neutral_moves = false;  ///< whether the firework also moves to a spark that is as good

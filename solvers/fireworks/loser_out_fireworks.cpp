@@ -176,7 +176,9 @@ Solver loser_out_fireworks(std::string name, const LoserOutFireworksOptions& opt
   }
   return member(std::move(name),
                 [options](Evaluator& evaluator, const Vector& start, Random& random) {
-                  Tournament tournament(evaluator, options, random);
+                  LoserOutFireworksOptions used = options;
+                  if (used.scaled) used.sparks = scaled_sparks(used.sparks, evaluator.remaining());
+                  Tournament tournament(evaluator, used, random);
                   if (!tournament.begin(start)) return;
                   while (tournament.next_generation()) {
                   }

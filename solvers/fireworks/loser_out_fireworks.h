@@ -13,6 +13,7 @@ struct LoserOutFireworksOptions {
   int fireworks = 5;
   int sparks = 60;             ///< of each firework, in each generation, besides the guiding ones
   double guiding_share = 0.2;  ///< share at either end that defines the guiding spark; (0, 1]
+  bool scaled = false;         ///< fewer sparks for a budget below the published: scaled_sparks()
   int guiding_sparks = 1;      ///< of each firework, in each generation
   /// 0: the guiding spark is the firework plus the mean of the best sparks less that of the worst
   /// ones. b > 0: each is the mean of the best sparks plus U(0, b) times that difference.

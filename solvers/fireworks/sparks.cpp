@@ -17,6 +17,14 @@ std::size_t number_of(std::span<const Eigen::Index> order, double share) {
 
 }  // namespace
 
+int scaled_sparks(int published, std::int64_t budget) {
+  constexpr double published_budget = 300'000;
+  constexpr long least = 5;
+  const double factor = std::sqrt(static_cast<double>(budget) / published_budget);
+  const auto some = std::lround(published * std::min(factor, 1.0));
+  return static_cast<int>(std::max(some, std::min<long>(least, published)));
+}
+
 void displace(Vector& x, std::span<const Eigen::Index> moved, double amplitude, const Vector& unit,
               Offsets offsets, Random& random) {
   if (offsets == Offsets::one) {

@@ -72,6 +72,11 @@ int most_sparks(int fireworks, const SparkCountOptions& options);
 /// sparks.
 void check(const SparkCountOptions& options);
 
+/// The published number of sparks for a budget of 300,000 evaluations, at which it was published,
+/// or more; for fewer evaluations so that sparks and generations shrink by the same factor, but at
+/// least 5: 300 sparks become 5, 17 and 55 for budgets of 100, 1,000 and 10,000 evaluations. Ours.
+int scaled_sparks(int published, std::int64_t budget);
+
 // Explosion amplitudes: how far sparks lie from their firework.
 
 /// The unit of the amplitudes.

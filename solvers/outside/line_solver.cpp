@@ -1,19 +1,10 @@
 #include "solvers/outside/line_solver.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <poll.h>
-#include <pthread.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <wordexp.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -21,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,204 +22,18 @@
 #include "solvers/outside/plugin.h"
 #include "solvers/unit_box.h"
 #include "src/core/names.h"
-#include "src/core/process.h"
 
 /// The protocol between a solver and ricochet: every line is a JSON object; null stands for a
 /// number that is not finite. A violation throws std::runtime_error, which names the line and shows
 /// its beginning.
 namespace ricochet::outside {
 
-/// Reads the program's first line: its claims.
-Claims greeting_of(LineProgram& program);
-
-/// Sends the evaluator's problem to a program and answers its requests until it is done. Returns
-/// nothing if the program ended before it wrote a line. Once the run is over, the program may end
-/// without reporting that it is done.
+/// Sends `first` and the evaluator's problem to a program and answers its requests until it is
+/// done. Returns nothing if the program ended before it wrote a line. Once the run is over, the
+/// program may end without reporting that it is done.
 std::optional<SolverTermination> converse(LineProgram& program, Evaluator& evaluator,
-                                          const Vector& start, std::uint32_t seed);
-
-namespace {
-
-constexpr std::size_t chunk = 1 << 16;      // bytes: the capacity of a pipe
-constexpr std::size_t kept_of_a_line = 80;  // bytes
-constexpr int grace = 1000;                 // ms, for a program to end by itself
-constexpr int forever = -1;
-
-/// While this object lives, writing to a program that has ended is an error and does not end
-/// ricochet.
-class WithoutBrokenPipes {
- public:
-  WithoutBrokenPipes() {
-    sigemptyset(&signal_);
-    sigaddset(&signal_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
-  }
-  ~WithoutBrokenPipes() {
-    const timespec at_once{};
-    if (broken) sigtimedwait(&signal_, nullptr, &at_once);
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  WithoutBrokenPipes(const WithoutBrokenPipes&) = delete;
-  WithoutBrokenPipes& operator=(const WithoutBrokenPipes&) = delete;
-
-  bool broken = false;
-
- private:
-  sigset_t signal_{}, before_{};
-};
-
-[[noreturn]] void refuse(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
-  int ends[2] = {};
-  if (pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");  // not inherited by other programs
-  end_to_read.take(ends[0]);
-  end_to_write.take(ends[1]);
-}
-
-/// Replaces this process by the program. Between fork and exec only async-signal-safe calls are
-/// allowed.
-[[noreturn]] void become(char* const* arguments, int input, int output) {
-  dup2(input, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
-  execvp(arguments[0], arguments);
-  _exit(errno == ENOENT ? 127 : 126);
-}
-
-}  // namespace
-
-LineProgram::LineProgram(std::vector<std::string> arguments)
-    : maker_(getpid()),
-      thread_(std::this_thread::get_id()),
-      command_(one_line(fmt::to_string(fmt::join(arguments, " ")))) {
-  Descriptor its_input, its_output;
-  open_pipe(its_input, input_);
-  open_pipe(output_, its_output);
-  fcntl(input_.number(), F_SETFL, O_NONBLOCK);
-  std::vector<char*> pointers;
-  pointers.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  process_.emplace([&] { become(pointers.data(), its_input.number(), its_output.number()); });
-}
-
-LineProgram::~LineProgram() {
-  if (getpid() != maker_) return;  // in a forked copy of the process that started it
-  input_.close();
-  output_.close();  // so that a program that is still writing also ends
-  process_->ends_within(grace);
-}
-
-bool LineProgram::is_of_this_thread() const {
-  return getpid() == maker_ && std::this_thread::get_id() == thread_;
-}
-
-std::string LineProgram::how_it_ended() {
-  if (!process_->ends_within(grace)) return "closed its standard output";
-  const int status = process_->end();
-  if (WIFSIGNALED(status)) {
-    return fmt::format("was ended by signal {}, {}", WTERMSIG(status), strsignal(WTERMSIG(status)));
-  }
-  const int code = WEXITSTATUS(status);
-  const char* usual = code == 127   ? ": there is no such program"
-                      : code == 126 ? ": it cannot be run"
-                                    : "";
-  return fmt::format("ended with exit code {}{}", code, usual);
-}
-
-/// Waits for output and reads it into read_. Returns false at the time limit; sets at_end_ at the
-/// end of the output.
-bool LineProgram::read_more(int limit_in_milliseconds) {
-  read_.erase(0, begin_);
-  begin_ = 0;
-  // A process that the program started may keep the output open after the program has ended.
-  pollfd ends[] = {{output_.number(), POLLIN, 0}, {process_->descriptor(), POLLIN, 0}};
-  if (poll(ends, 2, limit_in_milliseconds) == 0) return false;
-  if (ends[0].revents == 0 && poll(ends, 1, 0) == 0) {  // nothing written just before either
-    at_end_ = true;
-    return true;
-  }
-  char piece[chunk];  // NOLINT: not zeroed, which would take longer than reading
-  const ssize_t count = ::read(output_.number(), piece, chunk);
-  read_.append(piece, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  at_end_ = count == 0 || (count < 0 && errno != EINTR);
-  return true;
-}
-
-std::string LineProgram::last_line() const {
-  return lines_ == 0 ? "no line received yet" : "last line received: " + one_line(last_);
-}
-
-/// Waits for output as long as the patience lasts. Returns false at its end.
-bool LineProgram::waited_for_more(const Patience& patience) {
-  const auto notice = static_cast<int>(patience.notice.count());
-  const int limit = patience.limit ? static_cast<int>(patience.limit->count()) * 1000 : forever;
-  if (limit != forever && limit <= notice) return read_more(limit);
-  if (read_more(notice)) return true;
-  tell_waiting(fmt::format("waiting for {}; {}", command_, last_line()));
-  const bool more = read_more(limit == forever ? forever : limit - notice);
-  if (more) tell_waiting("");
-  return more;
-}
-
-std::optional<std::string_view> LineProgram::line(const Patience& patience) {
-  std::size_t searched = 0;  // from begin_ on
-  for (;;) {
-    const std::size_t end = read_.find('\n', begin_ + searched);
-    if (end != std::string::npos || (at_end_ && begin_ < read_.size())) {
-      const auto found = std::string_view(read_).substr(begin_, end - begin_);
-      begin_ = std::min(end, read_.size() - 1) + 1;
-      last_ = found.substr(0, kept_of_a_line);
-      ++lines_;
-      return found;
-    }
-    if (at_end_) return std::nullopt;
-    searched = read_.size() - begin_;
-    if (searched > longest_line) throw std::runtime_error("a line of more than 4 MiB");
-    if (!waited_for_more(patience)) {
-      throw std::runtime_error(
-          fmt::format("wrote nothing for {} s after {}; {}; are its lines flushed?",
-                      patience.limit->count(), patience.after, last_line()));
-    }
-  }
-}
-
-bool LineProgram::has_spoken() {
-  if (begin_ < read_.size()) return true;
-  pollfd end{output_.number(), POLLIN, 0};
-  return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
-}
-
-/// Waits until the program accepts more, and reads meanwhile: the program may also be waiting to
-/// write.
-void LineProgram::wait_to_send() {
-  pollfd ends[] = {{input_.number(), POLLOUT, 0}, {output_.number(), POLLIN, 0}};
-  poll(ends, 2, forever);
-  if (ends[0].revents != 0 || ends[1].revents == 0) return;
-  read_more(forever);
-  if (read_.size() > longest_line) throw std::runtime_error("4 MiB without reading an answer");
-}
-
-void LineProgram::send(std::string_view text) {
-  WithoutBrokenPipes pipes;
-  while (!text.empty() && !at_end_) {
-    const ssize_t count = ::write(input_.number(), text.data(), text.size());
-    if (count >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(count));
-    } else if (errno == EAGAIN) {
-      wait_to_send();
-    } else if (errno != EINTR) {
-      pipes.broken = errno == EPIPE;
-      return;
-    }
-  }
-}
+                                          const Vector& start, std::uint32_t seed,
+                                          const std::string& first);
 
 namespace {
 
@@ -246,65 +50,56 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-/// Started programs that wait for a start, each for the thread that started it.
-class WaitingPrograms {
- public:
-  explicit WaitingPrograms(std::vector<std::string> words) : words_(std::move(words)) {}
+}  // namespace
 
-  std::unique_ptr<LineProgram> start(Claims& claims) const {
-    auto program = std::make_unique<LineProgram>(words_);
-    claims = greeting_of(*program);
-    return program;
-  }
-
-  /// A program of this thread, or null if none waits.
-  std::unique_ptr<LineProgram> take() {
-    const std::scoped_lock lock(mutex_);
-    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                    [](const auto& each) { return each->is_of_this_thread(); });
-    if (found == waiting_.end()) return nullptr;
-    auto program = std::move(*found);
-    waiting_.erase(found);
-    return program;
-  }
-
-  void give_back(std::unique_ptr<LineProgram> program) {
-    const std::scoped_lock lock(mutex_);
-    waiting_.push_back(std::move(program));
-  }
-
- private:
-  const std::vector<std::string> words_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<LineProgram>> waiting_;
-};
-
-/// One start. If the program ended after the last start, it is started again.
-SolverTermination solve(WaitingPrograms& programs, Evaluator& evaluator, const Vector& start,
-                        Random& random) {
-  const auto seed = static_cast<std::uint32_t>(random() >> 32U);
-  std::optional<SolverTermination> exit;
-  std::unique_ptr<LineProgram> program = programs.take();
-  if (program) exit = converse(*program, evaluator, start, seed);
-  if (!exit) {
-    Claims known;
-    program = programs.start(known);
-    exit = converse(*program, evaluator, start, seed);
-  }
-  if (!exit) throw std::runtime_error(program->how_it_ended() + " when it was given a problem");
-  programs.give_back(std::move(program));
-  return *exit;
+std::unique_ptr<LineProgram> WaitingPrograms::take() {
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                  [](const auto& each) { return each->is_of_this_thread(); });
+  if (found == waiting_.end()) return nullptr;
+  auto program = std::move(*found);
+  waiting_.erase(found);
+  return program;
 }
 
-}  // namespace
+void WaitingPrograms::give_back(std::unique_ptr<LineProgram> program) {
+  const std::scoped_lock lock(mutex_);
+  waiting_.push_back(std::move(program));
+}
+
+SolverTermination WaitingPrograms::solve(Evaluator& evaluator, const Vector& start, Random& random,
+                                         const std::string& first) {
+  const auto seed = static_cast<std::uint32_t>(random() >> 32U);
+  const auto exit_of = [&](LineProgram& program) {
+    return converse(program, evaluator, start, seed, first);
+  };
+  std::optional<SolverTermination> exit;
+  std::unique_ptr<LineProgram> program = take();
+  if (program) exit = exit_of(*program);
+  if (!exit) {
+    program = start_();
+    exit = exit_of(*program);
+  }
+  if (!exit) throw std::runtime_error(program->how_it_ended() + " when it was given a problem");
+  give_back(std::move(program));
+  return *exit;
+}
 
 Solver line_solver(const std::string& command) {
   const std::vector<std::string> words = words_of(command);
   const Content content = content_of_command(words);  // before it is started
-  const auto programs = std::make_shared<WaitingPrograms>(words);
   Claims claims;
+  const auto started = [words](Claims& told) {
+    auto program = std::make_unique<LineProgram>(words);
+    told = greeting_of(*program);
+    return program;
+  };
+  const auto programs = std::make_shared<WaitingPrograms>([started] {
+    Claims known;
+    return started(known);
+  });
   try {
-    programs->give_back(programs->start(claims));
+    programs->give_back(started(claims));
   } catch (const std::exception& error) {
     throw InputError(command + ": " + error.what());
   }
@@ -313,7 +108,7 @@ Solver line_solver(const std::string& command) {
   solver.changed_file = [content] { return content.changed(); };
   solver.solve = [programs, command](Evaluator& evaluator, const Vector& start, Random& random) {
     try {
-      return solve(*programs, evaluator, start, random);
+      return programs->solve(evaluator, start, random);
     } catch (const std::exception& error) {
       throw std::runtime_error(command + ": " + error.what());
     }
@@ -500,12 +295,14 @@ Claims greeting_of(LineProgram& program) {
 }
 
 std::optional<SolverTermination> converse(LineProgram& program, Evaluator& evaluator,
-                                          const Vector& start, std::uint32_t seed) {
+                                          const Vector& start, std::uint32_t seed,
+                                          const std::string& first) {
   if (program.has_spoken()) {
     throw std::runtime_error(
         fmt::format("spoke after output line {}, when it was done", program.lines()));
   }
   const int lines_before = program.lines();
+  program.send(first);
   send(program, description_of(evaluator, start, seed));
   int asked_when_over = 0;
   for (;;) {

@@ -4,13 +4,18 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "ricochet/solver.h"
+#include "solvers/outside/plugin.h"
 #include "src/core/child_process.h"
 
 namespace ricochet::outside {
@@ -37,7 +42,12 @@ class LineProgram {
   /// for it. A program that does not exist ends with exit code 127.
   explicit LineProgram(std::vector<std::string> arguments);
 
-  /// Closes the program's standard streams, and kills it if it does not end within a second.
+  /// Takes over one end of a connection, a socket, at whose other end is a program of this name
+  /// that somebody else started.
+  LineProgram(int connection, std::string command);
+
+  /// Closes the program's standard streams, or the connection, and kills it if it does not end
+  /// within a second.
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
@@ -75,13 +85,66 @@ class LineProgram {
   const pid_t maker_;
   const std::thread::id thread_;
   const std::string command_;
-  std::optional<SupervisedProcess> process_;
+  std::optional<SupervisedProcess> process_;  // none of a connection
   Descriptor input_, output_;
   std::string read_;  // read but not yet returned, from begin_ on
   std::string last_;  // the beginning of the line returned last
   std::size_t begin_ = 0;
   bool at_end_ = false;  // of its output
   int lines_ = 0;
+};
+
+/// A program that serves many conversations at once by copies of itself, so that what it loads is
+/// loaded once, also for processes that this one forks later. Its standard input is a socket of the
+/// type SOCK_SEQPACKET, by which it receives the ends of connections; what it writes goes to
+/// standard error. It ends with the thread that started it, and all copies with it.
+class ForkingProgram {
+ public:
+  /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no resources.
+  explicit ForkingProgram(std::vector<std::string> arguments);
+
+  /// Returns true if the calling thread started it, or a process that this one is forked from: no
+  /// other thread may end before the program's conversations do.
+  bool may_serve_this_thread() const;
+
+  /// A copy to converse with, which ends at the latest with the object; null if the program has
+  /// ended.
+  std::unique_ptr<LineProgram> copy();
+
+ private:
+  const pid_t maker_;
+  const std::thread::id thread_;
+  const std::string command_;
+  Descriptor control_;
+  std::optional<SupervisedProcess> process_;
+};
+
+/// Reads the program's first line: what it claims. Throws std::runtime_error if it breaks the
+/// protocol.
+Claims greeting_of(LineProgram& program);
+
+/// Programs of a solver that wait for a start, each for the thread that started it.
+class WaitingPrograms {
+ public:
+  /// `start` starts a program and reads its greeting.
+  explicit WaitingPrograms(std::function<std::unique_ptr<LineProgram>()> start)
+      : start_(std::move(start)) {}
+
+  /// One start of the solver, as Solver::solve, with text `first` before the problem. If the
+  /// program ended after the last start, it is started again. Throws std::runtime_error if the
+  /// program breaks the protocol or ends before it is done.
+  SolverTermination solve(Evaluator& evaluator, const Vector& start, Random& random,
+                          const std::string& first = "");
+
+  void give_back(std::unique_ptr<LineProgram> program);
+
+ private:
+  /// A program of this thread, or null if none waits.
+  std::unique_ptr<LineProgram> take();
+
+  const std::function<std::unique_ptr<LineProgram>()> start_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<LineProgram>> waiting_;
 };
 
 /// A solver that is a program exchanging lines of JSON on its standard input and output; the README

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "src/core/process.h"
 
@@ -23,6 +24,7 @@ class Descriptor {
   int number() const { return number_; }
   void close();
   void take(int number);
+  int release() { return std::exchange(number_, -1); }
 
  private:
   int number_;  // -1: none

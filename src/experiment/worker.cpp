@@ -255,6 +255,10 @@ void run_all(const std::vector<Job>& jobs, const Limits& limits,
              const std::function<void(std::size_t, RunRecord)>& done) {
   const std::size_t at_once = std::min(processes_of_runs(), jobs.size());
   allow_further_open_files(open_files_of_runs(at_once));
+  std::set<const Solver*> solvers;
+  for (const Job& job : jobs) {
+    if (job.solver->prepare && solvers.insert(job.solver).second) job.solver->prepare();
+  }
   Queue queue(jobs.size());
   std::vector<std::unique_ptr<Worker>> workers;
   while (workers.size() < at_once) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/classic/hyper_dual.h"
 #include "ricochet/problem.h"
 
 /// Problems from formulas. A formula is written once, for every scalar type:
@@ -18,7 +19,7 @@
 ///   []<class Scalar>(const Point<Scalar>& x) { return x[0] * x[0] + sin(x[1]); }
 ///
 /// and yields one Scalar, or several as a std::array or a Point of them. Its exact derivatives come
-/// from dual numbers.
+/// from dual numbers, the second ones from hyper-dual numbers.
 namespace ricochet::classic {
 
 template <class Scalar>
@@ -88,6 +89,28 @@ Matrix jacobian_of(const Formula& formula, const Vector& x) {
   return jacobian;
 }
 
+/// Adds to `sum` the second derivatives at x of the values of `formula`, each times its weight.
+template <class Formula>
+void add_curvature(const Formula& formula, const Vector& x, const Vector& weights, Matrix& sum) {
+  Point<HyperDual> duals(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) duals[i] = x[i];
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    duals[i].first = 1;
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      duals[j].other = 1;
+      const Point<HyperDual> y = listed(formula(duals));
+      double mixed = 0;
+      for (Eigen::Index k = 0; k < y.size(); ++k) {
+        if (weights[k] != 0) mixed += weights[k] * y[k].mixed;
+      }
+      sum(i, j) += mixed;
+      if (j < i) sum(j, i) += mixed;
+      duals[j].other = 0;
+    }
+    duals[i].first = 0;
+  }
+}
+
 }  // namespace detail
 
 /// Minimise `objective` subject to all `constraints` <= 0.
@@ -104,6 +127,13 @@ Problem from_formulas(Statement statement, const Objective& objective,
                        detail::jacobian_of(objective, x).row(0).transpose(),
                        detail::jacobian_of(constraints, x)};
   };
+  problem.lagrangian_hessian = [objective, constraints](const Vector& x, double objective_factor,
+                                                        const Vector& multipliers) {
+    Matrix hessian = Matrix::Zero(x.size(), x.size());
+    detail::add_curvature(objective, x, Vector::Constant(1, objective_factor), hessian);
+    detail::add_curvature(constraints, x, multipliers, hessian);
+    return hessian;
+  };
   return problem;
 }
 
@@ -116,6 +146,12 @@ Problem from_formula(Statement statement, const Objective& objective) {
     return Derivatives{{objective(x), {}},
                        detail::jacobian_of(objective, x).row(0).transpose(),
                        Matrix(0, x.size())};
+  };
+  problem.lagrangian_hessian = [objective](const Vector& x, double objective_factor,
+                                           const Vector& /*multipliers*/) {
+    Matrix hessian = Matrix::Zero(x.size(), x.size());
+    detail::add_curvature(objective, x, Vector::Constant(1, objective_factor), hessian);
+    return hessian;
   };
   return problem;
 }
@@ -134,6 +170,14 @@ Problem from_residuals(Statement statement, const Formula& residuals) {
     const Residuals r = both(x);
     return Derivatives{
         {r.values.squaredNorm() / 2, {}}, r.jacobian.transpose() * r.values, Matrix(0, x.size())};
+  };
+  problem.lagrangian_hessian = [residuals](const Vector& x, double objective_factor,
+                                           const Vector& /*multipliers*/) {
+    const Matrix jacobian = detail::jacobian_of(residuals, x);
+    Matrix hessian = objective_factor * jacobian.transpose() * jacobian;
+    detail::add_curvature(residuals, x, objective_factor * detail::values_of(residuals, x),
+                          hessian);
+    return hessian;
   };
   return problem;
 }

@@ -127,6 +127,11 @@ ceres::Jet<double, size> normal_distribution(const ceres::Jet<double, size>& t) 
   return {normal_distribution(t.a), density * t.v};
 }
 
+HyperDual normal_distribution(const HyperDual& t) {
+  const double density = std::exp(-t.value * t.value / 2) / std::sqrt(2 * pi);
+  return t.chained(normal_distribution(t.value), density, -t.value * density);
+}
+
 /// Problems 68 and 69: the cost of a control chart; `scale` is the cost of a defect, root_size the
 /// square root of the sample size.
 Problem control_chart(int number, double fixed, double scale, double root_size, Optimum optimum) {

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "problems/classic/classic.h"
+#include "ricochet/random.h"
+#include "src/core/instance.h"
+
 namespace ricochet::classic {
 namespace {
 
@@ -66,6 +73,43 @@ TEST(Formula, HalvesTheSumOfSquaresOfResiduals) {
   EXPECT_EQ(r.jacobian, (Matrix{{1, 0}, {2, 3}, {0, 2}}));
   EXPECT_EQ(problem.differentiate(x).gradient, (Vector{{2 + 12, 18 + 8}}));
   EXPECT_EQ(problem.differentiate(x).values.objective, 28);
+}
+
+TEST(Formula, HasTheSecondDerivativesThatDifferencesOfTheFirstHave) {
+  std::size_t checked = 0;
+  for (const Family& family : families()) {
+    for (const Problem& problem : family.problems) {
+      ASSERT_EQ(!problem.lagrangian_hessian, !problem.differentiate) << problem.name;
+      if (!problem.differentiate) continue;
+      Random random(seed_of(problem.name, "Hessian", 0, 0));
+      const Eigen::Index n = problem.dimension();
+      // Near the best point, where every formula is defined.
+      const Vector width = problem.upper - problem.lower;
+      const Vector near = 0.98 * *problem.best_point + 0.02 * uniform_point(problem, random);
+      const Vector multipliers =
+          Vector::NullaryExpr(problem.constraints, [&] { return 2 * uniform(random) - 1; });
+      const auto slope = [&](const Vector& x) -> Vector {
+        const Derivatives d = problem.differentiate(x);
+        return 0.7 * d.gradient + d.jacobian.transpose() * multipliers;
+      };
+      const Matrix hessian = problem.lagrangian_hessian(near, 0.7, multipliers);
+      if (!hessian.allFinite()) continue;
+      Matrix differences(n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const double step = 1e-5 * std::max(std::abs(near[i]), 1e-2 * width[i]);
+        const Vector shift = step * Vector::Unit(n, i);
+        // Richardson's extrapolation of central differences: an error of the fourth order.
+        differences.col(i) = (8 * (slope(near + shift) - slope(near - shift)) -
+                              (slope(near + 2 * shift) - slope(near - 2 * shift))) /
+                             (12 * step);
+      }
+      EXPECT_LT((hessian - hessian.transpose()).norm(), 1e-12 * hessian.norm() + 1e-300)
+          << problem.name;
+      EXPECT_LT((hessian - differences).norm(), 1e-5 * (hessian.norm() + 1e-9)) << problem.name;
+      ++checked;
+    }
+  }
+  EXPECT_GE(checked, 190U);
 }
 
 }  // namespace

@@ -42,37 +42,80 @@ std::string finder_of(const RunRecord& record) {
                      record.trace.back().evaluations, record.budget.evaluations);
 }
 
-/// Runs the solver, if this build has it, from the best point if there is one, and keeps
-/// improvements.
-void improve(const Problem& problem, double smoothing, const std::string& name,
-             std::int64_t evaluations, int number, Best& best) {
+/// Runs the solver, if this build has it and it accepts the problem, from this point, or else from
+/// the run's own start, and keeps improvements. Gradients are charged what they were measured to
+/// cost. Returns what the run was charged.
+std::int64_t improve(const Problem& problem, double smoothing, const std::string& name,
+                     std::int64_t evaluations, int number, const Vector& start, Best& best) {
   static const std::vector<Solver> solvers = all_solvers();
   const auto solver = std::ranges::find(solvers, name, &Solver::name);
-  if (solver == solvers.end()) return;
+  if (solver == solvers.end()) return 0;
   Problem formulated = problem.formulated({smoothing});
   if (formulated.constraints > 0 && !solver->accepts(formulated))
     formulated = problem.formulated({smoothing, true});
-  if (!solver->accepts(formulated)) return;
-  if (best.true_values) {
-    formulated.start = best.x;
+  if (!solver->accepts(formulated)) return 0;
+  if (start.size() > 0) {
+    formulated.start = start;
     number = 0;  // from there
   }
-  const RunRecord record = run(formulated, *solver, Budget{evaluations}, number);
+  Budget budget{evaluations};
+  budget.gradient_price = problem.gradient_cost;
+  const RunRecord record = run(formulated, *solver, budget, number);
   if (!record.failure.empty()) throw std::runtime_error(problem.name + ": " + record.failure);
-  if (record.trace.empty()) return;
+  if (record.trace.empty()) return record.ledger.charged;
   const Improvement& last = record.trace.back();
-  if (best.true_values && !better(last.true_values, *best.true_values)) return;
-  best = {last.true_values, last.x, finder_of(record)};
+  if (!best.true_values || better(last.true_values, *best.true_values)) {
+    best = {last.true_values, last.x, finder_of(record)};
+  }
+  return record.ledger.charged;
+}
+
+/// Basin hopping (Wales and Doye 1997, doi:10.1021/jp970984n) from the best point, whose gradients
+/// must be known: moves some of its coordinates at random and descends from there, again and again,
+/// and keeps improvements. On a surrogate if the problem has one.
+void hop(const Problem& problem, std::int64_t evaluations, int number, Best& best) {
+  constexpr double step = 0.15;                           // of the box
+  constexpr std::int64_t descent = 300;                   // evaluations, the most of one
+  constexpr double least_moved = 0.05, most_moved = 0.4;  // share of the coordinates
+  Random random(seed_of(problem.name, "basin hopping", number, 0));
+  const Vector width = problem.upper - problem.lower;
+  for (std::int64_t spent = 0; spent < evaluations;) {
+    const double moved = least_moved + (most_moved - least_moved) * uniform(random);
+    Vector x = best.x;
+    const Vector shift = step * width.cwiseProduct(normal(x.size(), random));
+    const auto always = static_cast<Eigen::Index>(uniform(random) * static_cast<double>(x.size()));
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (i == always || uniform(random) < moved) x[i] += shift[i];
+    }
+    x = x.cwiseMax(problem.lower).cwiseMin(problem.upper);
+    const double smoothing = problem.smoothed ? problem.smoothing : 0;
+    spent += std::max<std::int64_t>(
+        1, improve(problem, smoothing, problem.constraints > 0 ? "nlopt-slsqp" : "nlopt-lbfgs",
+                   std::min(descent, evaluations - spent), 0, x, best));
+  }
+  best.finder += ", in basin hopping";
 }
 
 Best searched(const Problem& problem, const std::string& solver, std::int64_t evaluations,
               int number) {
   Best best;
-  improve(problem, 0, solver, evaluations, number, best);
+  improve(problem, 0, solver, evaluations, number, {}, best);
   const std::int64_t more = std::max<std::int64_t>(1, evaluations / 20);
-  if (problem.smoothed) improve(problem, problem.smoothing, "nlopt-slsqp", more, 0, best);
-  for (const char* local : {"nlopt-slsqp", "nlopt-cobyla", "nlopt-sbplx"})
-    improve(problem, 0, local, more, 0, best);
+  const auto refine = [&] {
+    if (problem.smoothed) improve(problem, problem.smoothing, "nlopt-slsqp", more, 0, best.x, best);
+    for (const char* local : {"nlopt-slsqp", "nlopt-cobyla", "nlopt-sbplx"})
+      improve(problem, 0, local, more, 0, best.x, best);
+  };
+  refine();
+  const bool descends = static_cast<bool>(
+      problem.formulated({problem.smoothed ? problem.smoothing : 0}).differentiate);
+  if (!best.true_values || !descends) return best;
+  Best hopped = best;
+  hop(problem, evaluations, number, hopped);
+  if (better(*hopped.true_values, *best.true_values)) {
+    best = std::move(hopped);
+    refine();
+  }
   return best;
 }
 
@@ -88,7 +131,7 @@ double worth(const Problem& problem, const Vector& point) {
 BestKnown search_for_best(const Problem& problem, const Effort& effort) {
   // The solvers that do best on problems with derivatives, and without.
   const std::vector<std::string> searchers =
-      problem.differentiate
+      problem.differentiate || problem.smoothed
           ? std::vector<std::string>{"nlopt-slsqp", "nlopt-ccsaq", "pagmo-cmaes-ipop"}
           : std::vector<std::string>{"pagmo-cmaes-ipop", "nlopt-crs2", "mads"};
   const std::int64_t evaluations = effort.evaluations_per_variable * problem.dimension();

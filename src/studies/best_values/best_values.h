@@ -28,8 +28,9 @@ struct Effort {
 
 /// Returns the best true objective of a problem. One variable is scanned at the problem's step. For
 /// several, three solvers that do best on such problems are each restarted until their evaluations
-/// are spent and improved by local solvers, until two searches end within the problem's tolerance
-/// of the best, or all rounds are over. Constraints are penalised for solvers that take none. The
+/// are spent and improved by local solvers, and, where there are gradients, by basin hopping with
+/// as many evaluations again, until two searches end within the problem's tolerance of the best, or
+/// all rounds are over. Constraints are penalised for solvers that take none. The
 /// problem's best known point stays if no search finds a better one. The provenance says how many
 /// searches agree.
 BestKnown best_of(const Problem& problem, const Effort& effort);

@@ -82,6 +82,12 @@ std::vector<AdjustableSolver> adjustable_solvers() {
   all.push_back(adjustable_pagmo_compass_search());
   all.push_back(adjustable_pagmo_constrained_de());
 #endif
+#ifdef RICOCHET_HAS_DLIB
+  all.push_back(adjustable_dlib());
+#endif
+#ifdef RICOCHET_HAS_TAO
+  add(all, adjustable_tao());
+#endif
   return all;
 }
 

@@ -43,6 +43,20 @@ template <class Number>
 std::string usual_of(const Field& field, const std::optional<Number>& usual) {
   return usual ? text_of(OptionValue(static_cast<double>(*usual))) : std::string(field.remark);
 }
+template <HasNames Word>
+std::string usual_of(const Field& /*field*/, Word usual) {
+  return std::string(name_of(names_of(usual), usual));
+}
+
+/// The words that an option may have; none for a number.
+template <class Value>
+std::vector<std::string> words_of(const Value& value) {
+  std::vector<std::string> words;
+  if constexpr (HasNames<Value>) {
+    for (const auto& [word, meaning] : names_of(value)) words.emplace_back(word);
+  }
+  return words;
+}
 
 /// The options that a struct lists as its fields; their defaults are those of `own`.
 template <HasFields Options>
@@ -50,19 +64,27 @@ std::vector<SolverOption> options_in(const Options& own) {
   std::vector<SolverOption> options;
   visit_fields(
       [&](const Field& field, const auto& usual) {
-        options.push_back({std::string(field.key), usual_of(field, usual), field.range});
+        options.push_back(
+            {std::string(field.key), usual_of(field, usual), field.range, words_of(usual)});
       },
       own);
   return options;
 }
 
 template <class Number>
-void give(double value, Number& target) {
-  target = static_cast<Number>(value);
+void give(const OptionValue& value, Number& target) {
+  target = static_cast<Number>(std::get<double>(value));
 }
 template <class Number>
-void give(double value, std::optional<Number>& target) {
-  target = static_cast<Number>(value);
+void give(const OptionValue& value, std::optional<Number>& target) {
+  target = static_cast<Number>(std::get<double>(value));
+}
+/// The word is allowed.
+template <HasNames Word>
+void give(const OptionValue& value, Word& target) {
+  for (const auto& [word, meaning] : names_of(target)) {
+    if (word == std::get<std::string>(value)) target = meaning;
+  }
 }
 
 /// The struct with the options given in place of its own.
@@ -71,7 +93,7 @@ Options with_given(Options options, const GivenOptions& given) {
   visit_fields(
       [&](const Field& field, auto& target) {
         const auto found = given.find(std::string(field.key));
-        if (found != given.end()) give(std::get<double>(found->second), target);
+        if (found != given.end()) give(found->second, target);
       },
       options);
   return options;
@@ -87,6 +109,8 @@ AdjustableSolver adjustable(const std::string& name, const Options& own, const M
 constexpr Field real_option(std::string_view name, double least, double most) {
   return {name, "1", "", {.least = least, .most = most}};
 }
+
+inline constexpr Field coordinates_option{"coordinates"};  ///< of a member `Coordinates`
 
 /// `usual` describes a default that depends on the problem.
 constexpr Field whole_option(std::string_view name, double least, double most = 1e6,

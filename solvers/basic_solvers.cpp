@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "solvers/library_solvers.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "solvers/library_solvers.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 /// Only for the adapters of Ceres.
 namespace ricochet {
@@ -43,10 +43,13 @@ constexpr double farthest_start = 0.999;  // |x - middle| / half width
 /// The objective over y.
 class EvaluatedObjective : public ceres::FirstOrderFunction {
  public:
-  explicit EvaluatedObjective(Evaluator& evaluator)
+  EvaluatedObjective(Evaluator& evaluator, Coordinates coordinates)
       : evaluator_(evaluator),
         middle_((evaluator.lower() + evaluator.upper()) / 2),
-        half_((evaluator.upper() - evaluator.lower()) / 2) {}
+        half_((evaluator.upper() - evaluator.lower()) / 2),
+        slope_(ScaledBox(evaluator, coordinates).scale()) {
+    if (coordinates != Coordinates::own) slope_ /= 2;
+  }
 
   int NumParameters() const override { return static_cast<int>(middle_.size()); }
 
@@ -64,20 +67,28 @@ class EvaluatedObjective : public ceres::FirstOrderFunction {
     if (!derivatives || !finite(*derivatives)) return false;
     *cost = derivatives->values.objective;
     Eigen::Map<Vector>(gradient, y.size()) =
-        derivatives->gradient.array() * half_.array() * y.array().cos();
+        derivatives->gradient.array() * slope_.array() * angle(y).array().cos();
     return true;
   }
 
-  Vector at(const Vector& y) const { return middle_.array() + half_.array() * y.array().sin(); }
+  Vector at(const Vector& y) const {
+    return middle_.array() + half_.array() * angle(y).array().sin();
+  }
 
   Vector inverse(const Vector& x) const {
     const Vector share = (half_.array() > 0).select((x - middle_).cwiseQuotient(half_), 0.0);
-    return share.cwiseMax(-farthest_start).cwiseMin(farthest_start).array().asin();
+    const Vector angle = share.cwiseMax(-farthest_start).cwiseMin(farthest_start).array().asin();
+    return (slope_.array() > 0).select(angle.cwiseProduct(half_).cwiseQuotient(slope_), 0.0);
   }
 
  private:
+  Vector angle(const Vector& y) const {
+    return (half_.array() > 0).select(y.cwiseProduct(slope_).cwiseQuotient(half_), 0.0);
+  }
+
   Evaluator& evaluator_;
   Vector middle_, half_;
+  Vector slope_;  // dx / dy in the middle of the box
 };
 
 using Options = ceres::GradientProblemSolver::Options;
@@ -96,6 +107,7 @@ Options own_options() {
 /// What a plan may change.
 struct LineSearchOptions {
   Options ceres = own_options();
+  Coordinates coordinates = Coordinates::unit;
 };
 
 template <class Visit, IsOf<LineSearchOptions>... O>
@@ -109,14 +121,16 @@ void visit_fields(const Visit& visit, O&... o) {
   decrease.range.without_most = curvature.range.without_most = true;
   visit(decrease, o.ceres.line_search_sufficient_function_decrease...);
   visit(curvature, o.ceres.line_search_sufficient_curvature_decrease...);
+  visit(coordinates_option, o.coordinates...);
 }
 
-SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
-  auto* waves = new EvaluatedObjective(evaluator);  // `problem` owns it
+SolverTermination minimise(Evaluator& evaluator, const Vector& start,
+                           const LineSearchOptions& options) {
+  auto* waves = new EvaluatedObjective(evaluator, options.coordinates);  // `problem` owns it
   const ceres::GradientProblem problem(waves);
   Vector y = waves->inverse(start);
   ceres::GradientProblemSolver::Summary summary;
-  ceres::Solve(options, problem, y.data(), &summary);
+  ceres::Solve(options.ceres, problem, y.data(), &summary);
   return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
           waves->at(y)};
 }
@@ -129,7 +143,7 @@ Solver lbfgs(const LineSearchOptions& options) {
   solver.capabilities = ceres_lbfgs_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start, options.ceres);
+    return minimise(evaluator, start, options);
   };
   return solver;
 }
@@ -148,10 +162,9 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The residuals over the unit cube.
-class UnitResiduals : public ceres::CostFunction {
+class ScaledResiduals : public ceres::CostFunction {
  public:
-  UnitResiduals(UnitBox& box, Eigen::Index count, Eigen::Index dimension) : box_(box) {
+  ScaledResiduals(ScaledBox& box, Eigen::Index count, Eigen::Index dimension) : box_(box) {
     set_num_residuals(static_cast<int>(count));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(dimension));
   }
@@ -174,7 +187,7 @@ class UnitResiduals : public ceres::CostFunction {
   }
 
  private:
-  UnitBox& box_;
+  ScaledBox& box_;
 };
 
 using LeastSquaresOptions = ceres::Solver::Options;
@@ -196,6 +209,7 @@ LeastSquaresOptions own_least_squares_options() {
 /// What a plan may change.
 struct TrustRegionOptions {
   LeastSquaresOptions ceres = own_least_squares_options();
+  Coordinates coordinates = Coordinates::unit;
 };
 
 template <class Visit, IsOf<TrustRegionOptions>... O>
@@ -204,27 +218,28 @@ void visit_fields(const Visit& visit, O&... o) {
         o.ceres.initial_trust_region_radius...);
   visit(real_option("function_tolerance", 0, 1), o.ceres.function_tolerance...);
   visit(real_option("parameter_tolerance", 0, 1), o.ceres.parameter_tolerance...);
+  visit(coordinates_option, o.coordinates...);
 }
 
 SolverTermination minimise_squares(Evaluator& evaluator, const Vector& start,
-                                   const LeastSquaresOptions& options) {
-  UnitBox box(evaluator);
-  Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
+                                   const TrustRegionOptions& options) {
+  ScaledBox box(evaluator, options.coordinates);
+  Vector u = box.to_scaled(start);
   // Ceres needs the number of residuals beforehand; the evaluator remembers their values.
   const auto first = box.residual_values(u, Part::nothing);
   if (!first) return {stopped_by_evaluator};
   if (!first->allFinite()) return {not_finite};
   ceres::Problem problem;
-  problem.AddResidualBlock(new UnitResiduals(box, first->size(), u.size()), nullptr,
+  problem.AddResidualBlock(new ScaledResiduals(box, first->size(), u.size()), nullptr,
                            u.data());  // `problem` owns it
   for (int i = 0; i < static_cast<int>(u.size()); ++i) {
-    problem.SetParameterLowerBound(u.data(), i, 0.0);
-    problem.SetParameterUpperBound(u.data(), i, 1.0);
+    problem.SetParameterLowerBound(u.data(), i, box.lower()[i]);
+    problem.SetParameterUpperBound(u.data(), i, box.upper()[i]);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(options.ceres, &problem, &summary);
   return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
-          box.from_unit(u)};
+          box.from_scaled(u)};
 }
 
 Solver least_squares(const TrustRegionOptions& options) {
@@ -235,7 +250,7 @@ Solver least_squares(const TrustRegionOptions& options) {
   solver.capabilities = ceres_least_squares_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise_squares(evaluator, start, options.ceres);
+    return minimise_squares(evaluator, start, options);
   };
   return solver;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solvers/library_solvers.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 
@@ -36,11 +36,11 @@ bool suffice(const Evaluations& evaluations, Eigen::Index n) {
 /// The start and points uniform in the box, those with finite values. May be too few for the model
 /// if the evaluator refuses or the limit is reached. dlib maximises, so the values have the
 /// opposite sign.
-Evaluations first_points(UnitBox& box, const Vector& start, Random& random) {
+Evaluations first_points(ScaledBox& box, const Vector& start, Random& random) {
   Evaluations evaluations;
   Vector x = start;
   for (std::size_t asked = 0; asked < most_points; ++asked) {
-    const Vector u = box.to_unit(x).cwiseMax(0.0).cwiseMin(1.0);
+    const Vector u = box.to_scaled(x);
     const auto values = box.values(u);
     if (!values) break;
     if (finite(*values)) evaluations.emplace_back(column(u), -values->objective);
@@ -50,16 +50,25 @@ Evaluations first_points(UnitBox& box, const Vector& start, Random& random) {
   return evaluations;
 }
 
-SolverTermination minimise(Evaluator& evaluator, const Vector& start, Random& random) {
-  UnitBox box(evaluator);
+struct Options {
+  Coordinates coordinates = Coordinates::unit;
+};
+
+template <class Visit, IsOf<Options>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(coordinates_option, o.coordinates...);
+}
+
+SolverTermination minimise(const Options& options, Evaluator& evaluator, const Vector& start,
+                           Random& random) {
+  ScaledBox box(evaluator, options.coordinates);
   const Evaluations first = first_points(box, start, random);
   if (evaluator.over()) return {stopped_by_evaluator};
   if (!suffice(first, start.size())) return {"no two values differ"};
   const auto is_lower = [](const auto& a, const auto& b) { return a.y < b.y; };
   double worst = std::min_element(first.begin(), first.end(), is_lower)->y;
-  const dlib::function_spec cube(column(Vector::Zero(start.size())),
-                                 column(Vector::Ones(start.size())));
-  dlib::global_function_search search({cube}, {first});
+  const dlib::function_spec spec(column(box.lower()), column(box.upper()));
+  dlib::global_function_search search({spec}, {first});
   search.set_monte_carlo_upper_bound_sample_num(samples);
   search.set_seed(static_cast<std::time_t>(random()));
   for (std::size_t points = first.size(); points < most_points; ++points) {
@@ -73,17 +82,27 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, Random& ra
   return {"the model has all points that it may have"};
 }
 
-}  // namespace
-
-Solver dlib_global_search() {
+Solver made(const Options& options) {
   Solver solver;
   solver.name = "dlib-global-search";
   solver.version =
       fmt::format("dlib {}.{}.{}", DLIB_MAJOR_VERSION, DLIB_MINOR_VERSION, DLIB_PATCH_VERSION);
   solver.stochastic = true;
   solver.capabilities = dlib_capabilities;
-  solver.solve = minimise;
+  solver.solve = [options](Evaluator& evaluator, const Vector& start, Random& random) {
+    return minimise(options, evaluator, start, random);
+  };
   return solver;
+}
+
+}  // namespace
+
+Solver dlib_global_search() {
+  return made({});
+}
+
+AdjustableSolver adjustable_dlib() {
+  return adjustable("dlib-global-search", Options(), made);
 }
 
 }  // namespace ricochet

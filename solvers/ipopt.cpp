@@ -23,7 +23,7 @@
 #include <variant>
 
 #include "solvers/library_solvers.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 #include "src/core/child_process.h"
 
 namespace ricochet {
@@ -51,14 +51,14 @@ enum class Hessian {
   exact            ///< from the problem
 };
 
-/// A problem in the unit cube with Ipopt's interface. The Jacobian is dense and row-major. An
+/// A problem with Ipopt's interface. The Jacobian is dense and row-major. An
 /// evaluation fails where a number is not finite: Ipopt then halves its step or, where it needs
 /// derivatives or starts, ends with Invalid_Number_Detected.
-class UnitProblem : public Ipopt::TNLP {
+class ScaledProblem : public Ipopt::TNLP {
  public:
-  UnitProblem(Evaluator& evaluator, const Vector& start, Hessian hessian)
-      : box_(evaluator),
-        start_(box_.to_unit(start)),
+  ScaledProblem(Evaluator& evaluator, const Vector& start, Hessian hessian, Coordinates coordinates)
+      : box_(evaluator, coordinates),
+        start_(box_.to_scaled(start)),
         constraints_(evaluator.constraints()),
         equalities_(evaluator.equalities()),
         hessian_(hessian) {}
@@ -75,8 +75,8 @@ class UnitProblem : public Ipopt::TNLP {
 
   bool get_bounds_info(Index n, Number* u_lower, Number* u_upper, Index m, Number* c_lower,
                        Number* c_upper) override {
-    std::fill_n(u_lower, n, 0.0);
-    std::fill_n(u_upper, n, 1.0);
+    std::copy_n(box_.lower().data(), n, u_lower);
+    std::copy_n(box_.upper().data(), n, u_upper);
     const auto equalities = static_cast<Index>(equalities_);
     std::fill_n(c_lower, equalities, 0.0);
     std::fill_n(c_lower + equalities, m - equalities, -2e19);  // beyond 1e19: no bound
@@ -167,7 +167,7 @@ class UnitProblem : public Ipopt::TNLP {
     iterate = scaled_->NLP_scaling()->unapply_vector_scaling_x(iterate);
     Vector u(start_.size());
     dynamic_cast<Ipopt::TNLPAdapter&>(*scaled_->nlp()).ResortX(*iterate, u.data());
-    final_ = box_.from_unit(u);
+    final_ = box_.from_scaled(u);
     return !box_.over();
   }
 
@@ -176,7 +176,7 @@ class UnitProblem : public Ipopt::TNLP {
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     if (box_.over()) return;  // a step that it has not finished
     const Vector last = Eigen::Map<const Vector>(u, n);
-    if (last.allFinite()) final_ = box_.from_unit(last);
+    if (last.allFinite()) final_ = box_.from_scaled(last);
   }
 
   /// The last iterate of Ipopt; nothing if there is none.
@@ -188,7 +188,7 @@ class UnitProblem : public Ipopt::TNLP {
     return answered;
   }
 
-  UnitBox box_;
+  ScaledBox box_;
   Vector start_;
   Eigen::Index constraints_, equalities_;
   Hessian hessian_;
@@ -244,6 +244,7 @@ struct Choice {
   const char* name;
   Settings settings;
   Hessian hessian;
+  Coordinates coordinates = Coordinates::unit;
 };
 
 constexpr Choice own_choice{"ipopt", Settings::own, Hessian::limited_memory};
@@ -251,7 +252,7 @@ constexpr Choice tuned_choice{"ipopt-tuned", Settings::tuned, Hessian::limited_m
 constexpr Choice exact_choice{"ipopt-exact", Settings::own, Hessian::exact};
 
 /// Solves with a new Ipopt. The caller holds the mutex.
-Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<UnitProblem>& problem,
+Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<ScaledProblem>& problem,
                                      const Choice& choice, const GivenOptions& given) {
   // false: no console, so no banner and no log.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
@@ -280,7 +281,8 @@ Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<UnitProblem>& problem
 SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
                            const GivenOptions& given) {
   const std::lock_guard lock(ipopt_mutex);
-  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, choice.hessian);
+  const Ipopt::SmartPtr<ScaledProblem> problem =
+      new ScaledProblem(evaluator, start, choice.hessian, choice.coordinates);
   const Ipopt::ApplicationReturnStatus status = solve(problem, choice, given);
   return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
 }
@@ -322,8 +324,8 @@ Problem tiny_problem() {
 bool takes(const Choice& choice, const GivenOptions& given) {
   const Problem problem = tiny_problem();
   Evaluator evaluator(problem, {1000});
-  const Ipopt::SmartPtr<UnitProblem> posed =
-      new UnitProblem(evaluator, problem.start, choice.hessian);
+  const Ipopt::SmartPtr<ScaledProblem> posed =
+      new ScaledProblem(evaluator, problem.start, choice.hessian, choice.coordinates);
   const Ipopt::ApplicationReturnStatus status = solve(posed, choice, given);
   return evaluator.over() ||
          (status != Ipopt::Invalid_Option && status != Ipopt::Unrecoverable_Exception &&
@@ -431,6 +433,11 @@ Solver ipopt_exact() {
 
 std::vector<AdjustableSolver> adjustable_ipopt() {
   std::vector<SolverOption> options = known_options();
+  const Coordinates usual = own_choice.coordinates;
+  options.push_back({std::string(coordinates_option.key),
+                     usual_of(coordinates_option, usual),
+                     {},
+                     words_of(usual)});
   tell_own(options, "bound_relax_factor", "0");
   for (const char* name : {"constr_viol_tol", "acceptable_constr_viol_tol"}) {
     tell_own(options, name, text_of(OptionValue(constraint_tolerance)));
@@ -443,9 +450,13 @@ std::vector<AdjustableSolver> adjustable_ipopt() {
       tell_own(options, "mu_strategy", tuned_strategy);
       tell_own(options, "mu_init", text_of(OptionValue(tuned_barrier)));
     }
-    solvers.push_back({choice.name, options, [choice](const GivenOptions& given) {
-                         check_usable(choice, given);
-                         return made(choice, given);
+    solvers.push_back({choice.name, options, [own = choice](GivenOptions given) {
+                         Choice chosen = own;
+                         const auto coordinates =
+                             given.extract(std::string(coordinates_option.key));
+                         if (coordinates) give(coordinates.mapped(), chosen.coordinates);
+                         check_usable(chosen, given);
+                         return made(chosen, given);
                        }});
   }
   return solvers;

@@ -20,6 +20,7 @@ namespace ricochet {
 /// second.
 Solver dlib_global_search();
 inline constexpr Capabilities dlib_capabilities = {.most_variables = 8};
+AdjustableSolver adjustable_dlib();
 
 /// "ipopt": the interior-point method of Waechter and Biegler (Math. Program. 106 (2006) 25-57) in
 /// the unit cube, with a limited-memory Hessian. Ipopt is not thread-safe, so a process runs one
@@ -70,6 +71,7 @@ AdjustableSolver adjustable_ceres_least_squares();
 /// They are in a separate shared library, which the first start of one loads, in 0.1 s; a start
 /// throws std::runtime_error if it does not load. Returns none if that library or PETSc is missing.
 std::vector<Solver> tao_solvers();
+std::vector<AdjustableSolver> adjustable_tao();
 inline constexpr Capabilities tao_gradient_capabilities = {.derivatives =
                                                                Capabilities::Order::gradient};
 inline constexpr Capabilities tao_residual_capabilities = {.needs_residuals = true};

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 
@@ -119,7 +119,7 @@ class Search {
         barrier_(options.accepts_ties) {}
 
   SolverTermination run(const Vector& start) {
-    start_ = inside(box_.to_unit(start));
+    start_ = inside(box_.to_scaled(start));
     try_point(start_);
     barrier_.settle(Progress::none);
     last_step_ = normal(start_.size(), random_);  // any direction is as good as another
@@ -179,7 +179,7 @@ class Search {
   /// Tries a point. One that was tried before is no progress and costs no evaluation.
   Progress try_point(const Vector& u) {
     if (!tried_.insert({u.begin(), u.end()}).second) return Progress::none;
-    const auto values = evaluator_.values(box_.from_unit(u));
+    const auto values = evaluator_.values(box_.from_scaled(u));
     if (!values) return Progress::none;
     return barrier_.add({u, values->objective, violation_of(*values, evaluator_.equalities())});
   }
@@ -192,7 +192,7 @@ class Search {
   Options options_;
   Evaluator& evaluator_;
   Random& random_;
-  UnitBox box_;
+  ScaledBox box_;
   Eigen::Array<bool, Eigen::Dynamic, 1> has_width_;
   Mesh mesh_;
   Barrier barrier_;

@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "ricochet/solver.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 
-/// A search by NLopt in the unit cube, with its callbacks.
+/// A search by NLopt, with its callbacks.
 ///
 /// Where the evaluator refuses, or a value ends the search, NLopt is stopped by force, and some of
 /// its algorithms then forget the best point: MLSL and AUGLAG that of their inner search. So the
@@ -40,7 +40,7 @@ class NloptSearch {
  private:
   using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 
-  /// How NLopt ended, and the point in the unit cube that it returned.
+  /// How NLopt ended, and the point that it returned.
   struct Outcome {
     nlopt_result result;
     Vector u;
@@ -52,6 +52,7 @@ class NloptSearch {
                          void* self);
   static void inequalities(unsigned m, double* result, unsigned n, const double* u,
                            double* jacobian, void* self);
+  Vector sides() const { return box_.upper() - box_.lower(); }
   Handle made(nlopt_algorithm id) const;
   Outcome optimise(const Vector& start, std::int64_t most_evaluations);
   std::optional<Vector> repeated(const Vector& start);
@@ -66,7 +67,7 @@ class NloptSearch {
   const NloptAlgorithm& algorithm_;
   Evaluator& evaluator_;
   unsigned long seed_;
-  UnitBox box_;
+  ScaledBox box_;
   Handle nlopt_{nullptr, nlopt_destroy};
   double worst_ = 0;   // objective so far
   std::string ended_;  // empty while the search may go on
@@ -213,6 +214,21 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
 
 }  // namespace
 
+/// Whether runs depend on the coordinates. Global algorithms scale the box themselves; COBYLA,
+/// BOBYQA, Nelder-Mead and Sbplx by their first step, which is a share of the box; MMA and CCSAQ by
+/// their first trust region.
+bool feels_coordinates(const NloptAlgorithm& algorithm) {
+  switch (algorithm.local.value_or(algorithm.id)) {
+    case NLOPT_LD_SLSQP:
+    case NLOPT_LD_LBFGS:
+    case NLOPT_LD_VAR2:
+    case NLOPT_LD_TNEWTON_RESTART:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// The options that affect this algorithm.
 template <class Visit, IsOf<NloptAlgorithm>... A>
 void visit_fields(const Visit& visit, A&... a) {
@@ -230,6 +246,7 @@ void visit_fields(const Visit& visit, A&... a) {
   if (is_one_of({NLOPT_LD_LBFGS, NLOPT_LD_VAR2, NLOPT_LD_TNEWTON_PRECOND_RESTART})) {
     visit(whole_option("vectors", 1, 1000), a.vectors...);
   }
+  if (feels_coordinates(algorithm)) visit(coordinates_option, a.coordinates...);
   const bool looks_everywhere =
       algorithm.is_original_direct() ||
       is_one_of({NLOPT_GN_CRS2_LM, NLOPT_GN_ISRES, NLOPT_GN_ESCH, NLOPT_GN_AGS});
@@ -290,16 +307,19 @@ std::string in_words(nlopt_result result) {
 }  // namespace
 
 NloptSearch::NloptSearch(const NloptAlgorithm& algorithm, Evaluator& evaluator, unsigned long seed)
-    : algorithm_(algorithm), evaluator_(evaluator), seed_(seed), box_(evaluator) {}
+    : algorithm_(algorithm),
+      evaluator_(evaluator),
+      seed_(seed),
+      box_(evaluator, algorithm.coordinates) {}
 
 NloptSearch::Outcome NloptSearch::optimise(const Vector& start, std::int64_t most_evaluations) {
   nlopt_ = made(algorithm_.id);
   nlopt_opt nlopt = nlopt_.get();
-  nlopt_set_lower_bounds1(nlopt, 0.0);
-  nlopt_set_upper_bounds1(nlopt, 1.0);
+  nlopt_set_lower_bounds(nlopt, box_.lower().data());
+  nlopt_set_upper_bounds(nlopt, box_.upper().data());
   nlopt_set_min_objective(nlopt, objective, this);
   constrain();
-  nlopt_set_initial_step1(nlopt, algorithm_.initial_step);
+  nlopt_set_initial_step(nlopt, Vector(algorithm_.initial_step * sides()).data());
   nlopt_set_population(nlopt, static_cast<unsigned>(algorithm_.population.value_or(0)));
   if (algorithm_.local) nlopt_set_local_optimizer(nlopt, made(*algorithm_.local).get());
   nlopt_set_maxeval(nlopt, static_cast<int>(most_evaluations));
@@ -334,7 +354,7 @@ std::optional<Vector> NloptSearch::repeated(const Vector& start) {
 NloptSearch::Handle NloptSearch::made(nlopt_algorithm id) const {
   const auto n = static_cast<unsigned>(evaluator_.dimension());
   Handle nlopt(nlopt_create(id, n), nlopt_destroy);
-  nlopt_set_xtol_abs1(nlopt.get(), algorithm_.tolerance);
+  nlopt_set_xtol_abs(nlopt.get(), Vector(algorithm_.tolerance * sides()).data());
   nlopt_set_vector_storage(nlopt.get(), static_cast<unsigned>(algorithm_.vectors));
   return nlopt;
 }
@@ -478,12 +498,12 @@ void NloptSearch::constraints(Part part, double* result, const double* u, double
 }
 
 SolverTermination NloptSearch::from(const Vector& start) {
-  const Vector u = box_.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
+  const Vector u = box_.to_scaled(start);
   const bool direct = algorithm_.is_original_direct();
   // NLopt 2.7.1 reads beyond its memory when DIRECT is stopped at its first point, the middle. So
   // that point is evaluated beforehand; the evaluator remembers it.
   if (direct) {
-    const Vector middle = Vector::Constant(u.size(), 0.5);
+    const Vector middle = (box_.lower() + box_.upper()) / 2;
     look(middle.data(), false, Part::nothing);
     if (thrown_) std::rethrow_exception(thrown_);
     if (!ended_.empty()) return {ended_};
@@ -493,9 +513,9 @@ SolverTermination NloptSearch::from(const Vector& start) {
   const std::int64_t left = std::min(evaluator_.remaining(), direct ? direct_points : all_points);
   const Outcome outcome = optimise(u, direct ? left + 1 : 10 * left + 10);
   if (thrown_) std::rethrow_exception(thrown_);
-  if (ended_.empty()) return {in_words(outcome.result), box_.from_unit(outcome.u)};
+  if (ended_.empty()) return {in_words(outcome.result), box_.from_scaled(outcome.u)};
   const std::optional<Vector> returned = repeated(u);
-  return {ended_, returned ? std::optional(box_.from_unit(*returned)) : std::nullopt};
+  return {ended_, returned ? std::optional(box_.from_scaled(*returned)) : std::nullopt};
 }
 
 }  // namespace ricochet

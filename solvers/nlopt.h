@@ -7,6 +7,7 @@
 
 #include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 
@@ -25,7 +26,8 @@ struct NloptAlgorithm {
   std::optional<nlopt_algorithm> local = {};  ///< the local algorithm that it starts
   Capabilities capabilities = {};
   NoNumber no_number = NoNumber::ends_the_search;
-  bool draws = false;          ///< uses random numbers
+  bool draws = false;  ///< uses random numbers
+  Coordinates coordinates = Coordinates::unit;
   double tolerance = 1e-8;     ///< step [box widths] below which a local search has converged
   double initial_step = 0.25;  ///< of the box; NLopt's own default, without its exceptions
   std::optional<int> population = {};  ///< without: NLopt's own

@@ -25,7 +25,7 @@
 #include "ricochet/random.h"
 #include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 /// Code shared by the solvers of pagmo.
 namespace ricochet {
@@ -49,7 +49,7 @@ inline constexpr double without_a_number = 1e100;
 /// once; the solvers of pagmo_solver() catch that.
 class UnitProblem {
  public:
-  explicit UnitProblem(UnitBox* box = nullptr) : box_(box) {}
+  explicit UnitProblem(ScaledBox* box = nullptr) : box_(box) {}
 
   pagmo::vector_double fitness(const pagmo::vector_double& u) const;
   std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const;
@@ -57,14 +57,14 @@ class UnitProblem {
   pagmo::vector_double::size_type get_nic() const;
 
  private:
-  UnitBox* box_;
+  ScaledBox* box_;
 };
 
 /// pagmo's seeds have 32 bits.
 unsigned seed_from(Random& random);
 
 /// The start, and points uniform in the box, `size` in all.
-pagmo::population population_of(UnitBox& box, const Vector& start, Eigen::Index size,
+pagmo::population population_of(ScaledBox& box, const Vector& start, Eigen::Index size,
                                 Random& random);
 
 /// Default number of points of a population: 10 n, at least 20 and at most 100.
@@ -127,7 +127,7 @@ unsigned seed_from(Random& random) {
   return static_cast<unsigned>(random());
 }
 
-pagmo::population population_of(UnitBox& box, const Vector& start, Eigen::Index size,
+pagmo::population population_of(ScaledBox& box, const Vector& start, Eigen::Index size,
                                 Random& random) {
   const Evaluator& evaluator = box.evaluator();
   pagmo::problem shown{UnitProblem(&box)};
@@ -135,7 +135,7 @@ pagmo::population population_of(UnitBox& box, const Vector& start, Eigen::Index 
   pagmo::population population(shown, 0, seed_from(random));
   Vector x = start;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const Vector u = box.to_unit(x).cwiseMax(0.0).cwiseMin(1.0);
+    const Vector u = box.to_scaled(x);
     population.push_back(pagmo::vector_double(u.begin(), u.end()));
     x = uniform_point(evaluator.lower(), evaluator.upper(), random);
   }
@@ -201,7 +201,7 @@ void visit_fields(const Visit& visit, O&... o) {
 }
 
 /// One run, until it converges.
-void run_cmaes(UnitBox& box, const Vector& start, Eigen::Index size, double initial_step,
+void run_cmaes(ScaledBox& box, const Vector& start, Eigen::Index size, double initial_step,
                Random& random) {
   const pagmo::population population = population_of(box, start, size, random);
   constexpr double automatic = -1;
@@ -214,7 +214,7 @@ Solver cmaes(const std::string& name, const CmaesOptions& options) {
   return pagmo_solver(
       name, pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
-        UnitBox box(evaluator);
+        ScaledBox box(evaluator);
         run_cmaes(box, start, size_of(options.population, evolution_size(start.size())),
                   options.initial_step, random);
         return {converged};
@@ -225,7 +225,7 @@ Solver cmaes_ipop(const std::string& name, const RestartedCmaesOptions& options)
   Solver solver = pagmo_solver(
       name, pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
-        UnitBox box(evaluator);
+        ScaledBox box(evaluator);
         Vector from = start;
         for (Eigen::Index size = size_of(options.cmaes.population, evolution_size(start.size()));;
              size *= options.growth) {
@@ -283,7 +283,7 @@ Solver compass_search(const CompassOptions& options) {
   Solver solver = pagmo_solver(
       "compass-search", pagmo_all_constraints,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
-        UnitBox box(evaluator);
+        ScaledBox box(evaluator);
         pagmo::compass_search(endless, options.initial_step, pagmo_step_tolerance,
                               options.shrinkage)
             .evolve(population_of(box, start, 1, random));
@@ -327,14 +327,14 @@ void visit_fields(const Visit& visit, O&... o) {
 }
 
 /// The population of a search from this start: of the size given, or else the usual one.
-pagmo::population population_of(UnitBox& box, const Vector& start, const std::optional<int>& size,
+pagmo::population population_of(ScaledBox& box, const Vector& start, const std::optional<int>& size,
                                 Random& random) {
   return population_of(box, start, size_of(size, usual_size(start.size())), random);
 }
 
 SolverTermination minimise_constrained(const ConstrainedEvolutionOptions& options,
                                        Evaluator& evaluator, const Vector& start, Random& random) {
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   pagmo::population population = population_of(box, start, options.population, random);
   constexpr unsigned rand_1_exp = 2;
   const pagmo::de generation(1, options.weight, options.crossover, rand_1_exp, 0.0, 0.0,
@@ -426,7 +426,7 @@ Solver made(const std::string& name, const EvolutionBy<algorithm>& by) {
   return pagmo_solver(name, pagmo_bounds_only,
                       [options = by.options](Evaluator& evaluator, const Vector& start,
                                              Random& random) -> SolverTermination {
-                        UnitBox box(evaluator);
+                        ScaledBox box(evaluator);
                         const pagmo::population population =
                             population_of(box, start, options.population, random);
                         algorithm(options, seed_from(random)).evolve(population);
@@ -483,7 +483,7 @@ void visit_fields(const Visit& visit, O&... o) {
 
 SolverTermination minimise_by_gaco(const AntColonyOptions& options, Evaluator& evaluator,
                                    const Vector& start, Random& random) {
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   const pagmo::population population = population_of(box, start, options.population, random);
   const int size = static_cast<int>(population.size());
   constexpr double spread = 1;    // pagmo's own default
@@ -601,7 +601,7 @@ Solver xnes(const XnesOptions& options) {
   return pagmo_solver(
       "xnes", pagmo_bounds_only,
       [=](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
-        UnitBox box(evaluator);
+        ScaledBox box(evaluator);
         const Eigen::Index size = size_of(options.population, evolution_size(start.size()));
         const pagmo::population population = population_of(box, start, size, random);
         pagmo::xnes(endless, automatic, automatic, automatic,

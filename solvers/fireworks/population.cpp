@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "solvers/fireworks/sparks.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet::fireworks {
 

@@ -20,7 +20,7 @@
 #include "ricochet/evaluator.h"
 #include "solvers/outside/outside.h"
 #include "solvers/outside/plugin.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 #include "src/core/names.h"
 
 /// The protocol between a solver and ricochet: every line is a JSON object; null stands for a

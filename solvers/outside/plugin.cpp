@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 #include "src/core/child_process.h"
 #include "src/core/floating_point.h"
 #include "src/core/names.h"

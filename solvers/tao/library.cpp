@@ -32,24 +32,40 @@ namespace {
 /// A callback returns this to make TAO stop at once.
 constexpr PetscErrorCode give_up = PETSC_ERR_USER;
 
-/// A problem over the unit cube, u = (x - lower) / (upper - lower).
+/// In the order of ricochet's; see there.
+enum class Coordinates { unit, even, own };
+
+/// A problem in these coordinates, x = origin + scale * u. A coordinate without width has u = 0.
 struct Evaluations {
   ricochet_problem* problem;
-  std::vector<double> width, x, best_x, rows, first;
+  std::vector<double> origin, scale, x, best_x, rows, first;
   double best = std::numeric_limits<double>::infinity();
   std::set<Vec> seen;       // vectors seen by residuals_at
   bool over = false;        // the run is over
   bool not_finite = false;  // the last numbers sent to TAO
 
-  explicit Evaluations(ricochet_problem* asked)
-      : problem(asked), width(size()), x(asked->start, asked->start + size()) {
-    for (std::size_t i = 0; i < size(); ++i) width[i] = asked->upper[i] - asked->lower[i];
+  Evaluations(ricochet_problem* asked, Coordinates coordinates)
+      : problem(asked),
+        origin(asked->lower, asked->lower + size()),
+        scale(size()),
+        x(asked->start, asked->start + size()) {
+    for (std::size_t i = 0; i < size(); ++i) scale[i] = asked->upper[i] - asked->lower[i];
+    if (coordinates == Coordinates::unit) return;
+    const double longest = *std::max_element(scale.begin(), scale.end());
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (scale[i] == 0) continue;
+      scale[i] = coordinates == Coordinates::own ? 1 : longest;
+      if (coordinates == Coordinates::own) origin[i] = 0;
+    }
   }
 
   std::size_t size() const { return static_cast<std::size_t>(problem->dimension); }
 
   void move_to(const double* u) {
-    for (std::size_t i = 0; i < size(); ++i) x[i] = problem->lower[i] + width[i] * u[i];
+    for (std::size_t i = 0; i < size(); ++i) x[i] = origin[i] + scale[i] * u[i];
+  }
+  double to_scaled(std::size_t i, const double* point) const {
+    return scale[i] > 0 ? (point[i] - origin[i]) / scale[i] : 0;
   }
 
   /// The return code for TAO after a call that returned `refused` with this objective.
@@ -91,7 +107,7 @@ PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* co
   const int32_t refused =
       self.problem->derivatives(self.problem, self.x.data(), objective, nullptr, slope, nullptr);
   double sum = refused != 0 ? 0 : *objective;
-  for (std::size_t i = 0; i < self.size(); ++i) sum += std::abs(slope[i] *= self.width[i]);
+  for (std::size_t i = 0; i < self.size(); ++i) sum += std::abs(slope[i] *= self.scale[i]);
   PetscCall(VecRestoreArray(gradient, &slope));
   if (refused == 0 && !std::isfinite(sum)) return self.end(0, sum);
   return self.end(refused, *objective);
@@ -141,7 +157,7 @@ PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) 
   for (PetscInt j = 0; j < n; ++j) {
     for (PetscInt i = 0; i < count; ++i) {
       const double slope =
-          self.rows[static_cast<std::size_t>(i * n + j)] * self.width[static_cast<std::size_t>(j)];
+          self.rows[static_cast<std::size_t>(i * n + j)] * self.scale[static_cast<std::size_t>(j)];
       columns[j * count + i] = slope;
       finite = finite && std::isfinite(slope);
     }
@@ -182,15 +198,19 @@ class Search {
     PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &u_));
     PetscCall(VecDuplicate(u_, &lower_));
     PetscCall(VecDuplicate(u_, &upper_));
-    PetscCall(VecSet(upper_, 1.0));
-    PetscScalar* at = nullptr;
+    PetscScalar *at = nullptr, *lower = nullptr, *upper = nullptr;
     PetscCall(VecGetArray(u_, &at));
+    PetscCall(VecGetArray(lower_, &lower));
+    PetscCall(VecGetArray(upper_, &upper));
     for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const double from = asked_.problem->start[i] - asked_.problem->lower[i];
-      at[i] = asked_.width[i] > 0 ? std::clamp(from / asked_.width[i], 0.0, 1.0) : 0.0;
+      lower[i] = asked_.to_scaled(i, asked_.problem->lower);
+      upper[i] = asked_.scale[i] > 0 ? asked_.to_scaled(i, asked_.problem->upper) : 1;
+      at[i] = std::clamp(asked_.to_scaled(i, asked_.problem->start), lower[i], upper[i]);
     }
     asked_.move_to(at);
     PetscCall(VecRestoreArray(u_, &at));
+    PetscCall(VecRestoreArray(lower_, &lower));
+    PetscCall(VecRestoreArray(upper_, &upper));
     PetscCall(TaoCreate(PETSC_COMM_SELF, &tao_));
     PetscCall(TaoSetType(tao_, type));
     PetscCall(TaoSetSolution(tao_, u_));
@@ -252,9 +272,9 @@ const char* search(Evaluations& asked, TaoType type, PetscErrorCode (Search::*sh
   return message != nullptr ? message : "PETSc failed";
 }
 
-template <auto show>
+template <auto show, Coordinates coordinates>
 const char* solve(TaoType type, ricochet_problem* problem, double* point) {
-  Evaluations asked(problem);
+  Evaluations asked(problem, coordinates);
   const char* const reason = search(asked, type, show);
   std::copy(asked.best_x.begin(), asked.best_x.end(), point);
   return reason;
@@ -267,20 +287,16 @@ const char* solve(TaoType type, ricochet_problem* problem, double* point) {
 using namespace ricochet::tao;
 
 #define EXPORTED extern "C" __attribute__((visibility("default")))
-#define BY_SLOPES(type)                                               \
-  {                                                                   \
-    RICOCHET_ABI, "tao-" type, "", 0, 1, 0, 0,                        \
-        [](ricochet_problem* problem, double* point) -> const char* { \
-          return solve<&Search::show_slopes>(type, problem, point);   \
-        }                                                             \
+#define IN(coordinates, type, show, slopes, residuals)                                 \
+  {                                                                                    \
+    RICOCHET_ABI, "tao-" type, "", 0, slopes, residuals, 0,                            \
+        [](ricochet_problem* problem, double* point) -> const char* {                  \
+          return solve<&Search::show, Coordinates::coordinates>(type, problem, point); \
+        }                                                                              \
   }
-#define BY_RESIDUALS(type)                                             \
-  {                                                                    \
-    RICOCHET_ABI, "tao-" type, "", 0, 0, 1, 0,                         \
-        [](ricochet_problem* problem, double* point) -> const char* {  \
-          return solve<&Search::show_residuals>(type, problem, point); \
-        }                                                              \
-  }
+#define IN_EACH(...) IN(unit, __VA_ARGS__), IN(even, __VA_ARGS__), IN(own, __VA_ARGS__)
+#define BY_SLOPES(type) IN_EACH(type, show_slopes, 1, 0)
+#define BY_RESIDUALS(type) IN_EACH(type, show_residuals, 0, 1)
 
 EXPORTED const ricochet_solver ricochet_tao_solvers[] = {
     BY_SLOPES("blmvm"), BY_SLOPES("bqnls"), BY_SLOPES("bncg"), BY_RESIDUALS("pounders"),

@@ -11,6 +11,7 @@
 
 #include "solvers/library_solvers.h"
 #include "solvers/outside/plugin.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The solvers that the library exports, in its order.
+/// The solvers that the library exports, in its order; each once for each of the coordinates.
 struct Exported {
   const char* name;
   Capabilities capabilities;
@@ -29,6 +30,15 @@ constexpr Exported all[] = {{"tao-blmvm", tao_gradient_capabilities},
                             {"tao-bncg", tao_gradient_capabilities},
                             {"tao-pounders", tao_residual_capabilities},
                             {"tao-brgn", tao_residual_capabilities}};
+
+struct Options {
+  Coordinates coordinates = Coordinates::unit;
+};
+
+template <class Visit, IsOf<Options>... O>
+void visit_fields(const Visit& visit, O&... o) {
+  visit(coordinates_option, o.coordinates...);
+}
 
 /// Path where the library is installed, relative to the program, or else where it was built; empty
 /// if it is missing.
@@ -63,22 +73,31 @@ const ricochet_solver* loaded(const std::string& path) {
 
 }  // namespace
 
-std::vector<Solver> tao_solvers() {
+std::vector<AdjustableSolver> adjustable_tao() {
   const std::string path = library_path();
   // Loading PETSc to see whether it loads would cost every program a twentieth of a second.
   if (path.empty() || !fs::exists(RICOCHET_PETSC_FILE)) return {};
-  std::vector<Solver> solvers;
+  std::vector<AdjustableSolver> solvers;
   for (std::size_t k = 0; k < std::size(all); ++k) {
-    Solver solver;
-    solver.name = all[k].name;
-    solver.version = "PETSc " RICOCHET_PETSC_VERSION;
-    solver.capabilities = all[k].capabilities;
-    solver.solve = [k, path](Evaluator& evaluator, const Vector& start, Random& random) {
-      static const ricochet_solver* const exported = loaded(path);
-      return outside::solve_by(exported[k], path, evaluator, start, random);
-    };
-    solvers.push_back(std::move(solver));
+    solvers.push_back(adjustable(all[k].name, Options(), [k, path](const Options& options) {
+      Solver solver;
+      solver.name = all[k].name;
+      solver.version = "PETSc " RICOCHET_PETSC_VERSION;
+      solver.capabilities = all[k].capabilities;
+      const std::size_t place = 3 * k + static_cast<std::size_t>(options.coordinates);
+      solver.solve = [place, path](Evaluator& evaluator, const Vector& start, Random& random) {
+        static const ricochet_solver* const exported = loaded(path);
+        return outside::solve_by(exported[place], path, evaluator, start, random);
+      };
+      return solver;
+    }));
   }
+  return solvers;
+}
+
+std::vector<Solver> tao_solvers() {
+  std::vector<Solver> solvers;
+  for (const AdjustableSolver& solver : adjustable_tao()) solvers.push_back(solver.with({}));
   return solvers;
 }
 

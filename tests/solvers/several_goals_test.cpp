@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "ricochet/random.h"
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 namespace ricochet {
 namespace {

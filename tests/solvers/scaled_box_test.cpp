@@ -1,4 +1,4 @@
-#include "solvers/unit_box.h"
+#include "solvers/scaled_box.h"
 
 #include <gtest/gtest.h>
 
@@ -7,59 +7,59 @@
 namespace ricochet {
 namespace {
 
-TEST(UnitBox, TakesCornersToCornersAndBack) {
+TEST(ScaledBox, TakesCornersToCornersAndBack) {
   Problem problem = sphere(2, 3);
   problem.lower = Vector{{-100, 2}};
   problem.upper = Vector{{300, 4}};
   Evaluator evaluator(problem, {10});
-  const UnitBox box(evaluator);
-  EXPECT_EQ(box.to_unit(problem.lower), Vector::Zero(2));
-  EXPECT_EQ(box.to_unit(problem.upper), Vector::Ones(2));
-  EXPECT_EQ(box.from_unit(Vector{{0.25, 0.5}}), (Vector{{0, 3}}));
+  const ScaledBox box(evaluator);
+  EXPECT_EQ(box.to_scaled(problem.lower), Vector::Zero(2));
+  EXPECT_EQ(box.to_scaled(problem.upper), Vector::Ones(2));
+  EXPECT_EQ(box.from_scaled(Vector{{0.25, 0.5}}), (Vector{{0, 3}}));
 }
 
-TEST(UnitBox, HasAPlaceForACoordinateWithoutWidth) {
+TEST(ScaledBox, HasAPlaceForACoordinateWithoutWidth) {
   Problem problem = sphere(2, 3);
   problem.lower = Vector{{-100, 2}};
   problem.upper = Vector{{300, 2}};
   Evaluator evaluator(problem, {10});
-  const UnitBox box(evaluator);
-  EXPECT_EQ(box.to_unit(Vector{{100, 2}}), (Vector{{0.5, 0}}));
-  EXPECT_EQ(box.from_unit(Vector{{0.5, 1}}), (Vector{{100, 2}}));
+  const ScaledBox box(evaluator);
+  EXPECT_EQ(box.to_scaled(Vector{{100, 2}}), (Vector{{0.5, 0}}));
+  EXPECT_EQ(box.from_scaled(Vector{{0.5, 1}}), (Vector{{100, 2}}));
 }
 
-TEST(UnitBox, ScalesDerivativesByTheWidth) {
+TEST(ScaledBox, ScalesDerivativesByTheWidth) {
   const Problem problem = disc();  // on [-2, 2]^2
   Evaluator evaluator(problem, {10});
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   const auto seen = box.derivatives(Vector{{0.75, 0.25}});  // x = (1, -1)
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->gradient, Vector::Constant(2, 4));
   EXPECT_EQ(seen->jacobian.row(0).transpose(), (Vector{{8, -8}}));
 }
 
-TEST(UnitBox, ScalesTheDerivativesOfResidualsByTheWidth) {
+TEST(ScaledBox, ScalesTheDerivativesOfResidualsByTheWidth) {
   const Problem problem = sphere(2, 3);  // on [-100, 100]^2
   Evaluator evaluator(problem, {10});
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   const auto seen = box.residuals(Vector{{0.75, 0.25}});  // x = (50, -50)
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->values, std::sqrt(2.0) * Vector({{47, -53}}));
   EXPECT_EQ(seen->jacobian, 200 * std::sqrt(2.0) * Matrix::Identity(2, 2));
 }
 
-TEST(UnitBox, ShowsAConstraintAtItsLimitAsZero) {
+TEST(ScaledBox, ShowsAConstraintAtItsLimitAsZero) {
   const Problem problem = disc();
   Evaluator evaluator(problem, {10});
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   EXPECT_EQ(box.values(Vector{{0.75, 0.5}})->constraints[0], 0);
   EXPECT_EQ(box.derivatives(Vector{{0.5, 0.25}})->values.constraints[0], 0);
 }
 
-TEST(UnitBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {
+TEST(ScaledBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {
   const Problem problem = sphere(1, 3);
   Evaluator evaluator(problem, {10});
-  UnitBox box(evaluator);
+  ScaledBox box(evaluator);
   EXPECT_FALSE(box.values(Vector::Constant(1, not_a_number)));
   EXPECT_FALSE(box.derivatives(Vector::Constant(1, not_a_number)));
   EXPECT_FALSE(box.residuals(Vector::Constant(1, not_a_number)));

@@ -8,6 +8,7 @@
 #include "ricochet/evaluator.h"
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
+#include "src/core/fields.h"
 
 namespace ricochet {
 
@@ -18,15 +19,27 @@ inline constexpr const char* stopped_by_evaluator = "stopped by the evaluator";
 /// not finite.
 inline constexpr const char* not_finite = "a number is not finite";
 
-/// An evaluator over the unit cube, u = (x - lower) / (upper - lower), so that one step and one
-/// tolerance suit every coordinate of every problem.
-class UnitBox {
- public:
-  explicit UnitBox(Evaluator& evaluator);
+/// The coordinates u that a solver works in.
+enum class Coordinates {
+  unit,  ///< the box is the unit cube: one step and one tolerance suit every coordinate
+  even,  ///< divided by the longest side of the box: sides and gradients keep their ratios
+  own,   ///< those of the problem, u = x
+};
+EnumNames<Coordinates> names_of(Coordinates of);
 
-  /// The u of a point of the box; 0 in a coordinate whose box has width 0.
-  Vector to_unit(const Vector& x) const;
-  Vector from_unit(const Vector& u) const;
+/// An evaluator in the coordinates of a solver: x = origin + scale * u.
+class ScaledBox {
+ public:
+  explicit ScaledBox(Evaluator& evaluator, Coordinates coordinates = Coordinates::unit);
+
+  const Vector& lower() const { return lower_; }  ///< the box in u
+  const Vector& upper() const { return upper_; }
+  const Vector& scale() const { return scale_; }  ///< dx / du
+
+  /// The u of a point, moved into the box. A coordinate without width has u = 0 in [0, 1] and a
+  /// scale of 0, since libraries refuse equal bounds.
+  Vector to_scaled(const Vector& x) const;
+  Vector from_scaled(const Vector& u) const;
 
   /// Objective and constraints at u. Nothing once the run is over, or if u is not finite: the
   /// evaluator would end the run, but only this start has failed.
@@ -49,7 +62,7 @@ class UnitBox {
 
  private:
   Evaluator& evaluator_;
-  Vector lower_, width_;
+  Vector origin_, scale_, lower_, upper_;
 };
 
 /// Returns true if objective and constraints are finite.

@@ -1,0 +1,284 @@
+#include "tests/solvers/direct_calls.h"
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <set>
+#include <vector>
+
+#include "solvers/adjustable_solver.h"
+#include "solvers/nlopt.h"
+
+namespace ricochet {
+
+Vector DirectCall::scale() const {
+  if (coordinates == Coordinates::unit) return width();
+  const double each = coordinates == Coordinates::own ? 1 : width().maxCoeff();
+  return Vector::Constant(width().size(), each);
+}
+
+Vector DirectCall::x(const Vector& u) const {
+  if (coordinates == Coordinates::own) return u;
+  return problem.lower + scale().cwiseProduct(u);
+}
+
+Vector DirectCall::u(const Vector& x) const {
+  if (coordinates == Coordinates::own) return x;
+  return (x - problem.lower).cwiseQuotient(scale());
+}
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+std::vector<double> listed(const Vector& x) {
+  return {x.begin(), x.end()};
+}
+
+// NLopt
+
+struct ForNlopt {
+  /// Once NLopt is at its limit, known points are free: AUGLAG then looks again at the best one.
+  Derivatives at(const double* point, bool slopes, Part part) {
+    const Vector x = call.x(Eigen::Map<const Vector>(point, call.problem.dimension()));
+    const bool known = !known_points.insert(listed(x)).second;
+    if (known && objectives > call.limit && !slopes) return {call.problem.evaluate(x), {}, {}};
+    if (!slopes) return {*call.evaluator.values(x, part), {}, {}};
+    Derivatives seen = *call.evaluator.derivatives(x, part);
+    seen.gradient = seen.gradient.cwiseProduct(call.scale());
+    seen.jacobian *= call.scale().asDiagonal();
+    return seen;
+  }
+
+  const DirectCall& call;
+  int objectives = 0;
+  std::set<std::vector<double>> known_points = {};
+};
+
+/// Some of the constraints, to be given to NLopt.
+struct Rows {
+  ForNlopt* shown;
+  Eigen::Index first, count;
+  Part part;
+};
+
+double objective(unsigned n, const double* u, double* gradient, void* data) {
+  auto& shown = *static_cast<ForNlopt*>(data);
+  ++shown.objectives;
+  const Derivatives seen = shown.at(u, gradient, Part::objective);
+  if (gradient) Eigen::Map<Vector>(gradient, n) = seen.gradient;
+  return seen.values.objective;
+}
+
+void constraints(unsigned, double* result, unsigned n, const double* u, double* jacobian,
+                 void* data) {
+  const Rows& rows = *static_cast<Rows*>(data);
+  const Derivatives seen = rows.shown->at(u, jacobian, rows.part);
+  Eigen::Map<Vector>(result, rows.count) = seen.values.constraints.segment(rows.first, rows.count);
+  if (jacobian) {
+    Eigen::Map<RowMajor>(jacobian, rows.count, n) =
+        seen.jacobian.middleRows(rows.first, rows.count);
+  }
+}
+
+double largest(unsigned, const double* u, double*, void* data) {
+  const Rows& rows = *static_cast<Rows*>(data);
+  return rows.shown->at(u, false, rows.part).values.constraints.maxCoeff();
+}
+
+Vector call_nlopt(const NloptAlgorithm& algorithm, const DirectCall& call) {
+  const Problem& problem = call.problem;
+  const auto n = static_cast<unsigned>(problem.dimension());
+  ForNlopt shown{call};
+  Rows equal{&shown, 0, problem.equalities, Part::equalities};
+  Rows other{&shown, problem.equalities, problem.constraints - problem.equalities,
+             Part::inequalities};
+  const Vector lower = call.u(problem.lower), upper = call.u(problem.upper);
+  const auto made = [&](nlopt_algorithm id) {
+    nlopt_opt created = nlopt_create(id, n);
+    nlopt_set_xtol_abs(created, Vector(algorithm.tolerance * (upper - lower)).data());
+    if (!call.library_chooses) {
+      nlopt_set_vector_storage(created, static_cast<unsigned>(algorithm.vectors));
+    }
+    return created;
+  };
+  nlopt_opt search = made(algorithm.id);
+  nlopt_set_lower_bounds(search, lower.data());
+  nlopt_set_upper_bounds(search, upper.data());
+  nlopt_set_min_objective(search, objective, &shown);
+  const std::vector<double> tolerances(static_cast<std::size_t>(problem.constraints),
+                                       constraint_tolerance);
+  if (equal.count > 0) {
+    nlopt_add_equality_mconstraint(search, static_cast<unsigned>(equal.count), constraints, &equal,
+                                   tolerances.data());
+  }
+  if (other.count > 0 && algorithm.id == NLOPT_GN_AGS) {
+    nlopt_add_inequality_constraint(search, largest, &other, constraint_tolerance);
+  } else if (other.count > 0) {
+    nlopt_add_inequality_mconstraint(search, static_cast<unsigned>(other.count), constraints,
+                                     &other, tolerances.data());
+  }
+  if (!call.library_chooses) {
+    nlopt_set_initial_step(search, Vector(algorithm.initial_step * (upper - lower)).data());
+  }
+  if (algorithm.local) {
+    nlopt_opt local = made(*algorithm.local);
+    nlopt_set_local_optimizer(search, local);
+    nlopt_destroy(local);
+  }
+  nlopt_set_maxeval(search, call.limit);
+  nlopt_srand(call.seed);
+  Vector u = call.u(problem.start).cwiseMax(lower).cwiseMin(upper);
+  double lowest = 0;
+  nlopt_optimize(search, u.data(), &lowest);
+  nlopt_destroy(search);
+  return call.x(u);
+}
+
+// Ceres
+
+/// The objective over y, with x = middle + half sin(angle), as Ceres takes no bounds; the angle is
+/// y, or such that dx / dy in the middle is 1 (own coordinates) or as for the longest side. A
+/// caller who knows that the bounds do not matter leaves them out: x = y.
+class Waves : public ceres::FirstOrderFunction {
+ public:
+  explicit Waves(const DirectCall& call) : call_(call), half_(call.width() / 2), stretch_(half_) {
+    if (call.coordinates == Coordinates::own) stretch_.setOnes();
+    if (call.coordinates == Coordinates::even) stretch_.setConstant(half_.maxCoeff());
+  }
+  int NumParameters() const override { return static_cast<int>(half_.size()); }
+  bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    const Vector y = Eigen::Map<const Vector>(parameters, half_.size());
+    if (!gradient) {
+      *cost = call_.evaluator.values(x(y), Part::objective)->objective;
+      return true;
+    }
+    const Derivatives seen = *call_.evaluator.derivatives(x(y));
+    *cost = seen.values.objective;
+    Eigen::Map<Vector> slope(gradient, y.size());
+    slope = seen.gradient;
+    if (!call_.library_chooses) slope.array() *= stretch_.array() * angle(y).array().cos();
+    return true;
+  }
+  Vector x(const Vector& y) const {
+    if (call_.library_chooses) return y;
+    return (call_.lower() + half_).array() + half_.array() * angle(y).array().sin();
+  }
+  Vector y(const Vector& x) const {
+    if (call_.library_chooses) return x;
+    const Vector share = (x - call_.lower() - half_).cwiseQuotient(half_);
+    const Vector angle = share.cwiseMax(-0.999).cwiseMin(0.999).array().asin();
+    return angle.cwiseProduct(half_).cwiseQuotient(stretch_);
+  }
+
+ private:
+  Vector angle(const Vector& y) const { return y.cwiseProduct(stretch_).cwiseQuotient(half_); }
+
+  const DirectCall& call_;
+  Vector half_, stretch_;
+};
+
+Vector call_ceres(const DirectCall& call) {
+  auto* waves = new Waves(call);
+  const ceres::GradientProblem posed(waves);
+  Vector y = waves->y(call.problem.start);
+  ceres::GradientProblemSolver::Options options;
+  options.logging_type = ceres::SILENT;
+  options.function_tolerance = 1e-14;
+  options.max_num_iterations = call.limit - 1;
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::Solve(options, posed, y.data(), &summary);
+  return waves->x(y);
+}
+
+class ForCeres : public ceres::CostFunction {
+ public:
+  explicit ForCeres(const DirectCall& call) : call_(call) {
+    const Problem& problem = call.problem;
+    set_num_residuals(static_cast<int>(problem.residuals(problem.start).values.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.dimension()));
+  }
+  bool Evaluate(double const* const* u, double* values, double** jacobians) const override {
+    const Vector x = call_.x(Eigen::Map<const Vector>(u[0], call_.problem.dimension()));
+    Eigen::Map<Vector> told(values, num_residuals());
+    if (!jacobians || !jacobians[0]) {
+      told = *call_.evaluator.residual_values(x);
+    } else {
+      const Residuals seen = *call_.evaluator.residuals(x, Part::jacobian);
+      told = seen.values;
+      Eigen::Map<RowMajor>(jacobians[0], num_residuals(), x.size()) =
+          seen.jacobian * call_.scale().asDiagonal();
+    }
+    return true;
+  }
+
+ private:
+  const DirectCall& call_;
+};
+
+Vector call_ceres_least_squares(const DirectCall& call) {
+  const Vector lower = call.u(call.problem.lower), upper = call.u(call.problem.upper);
+  Vector u = call.u(call.problem.start).cwiseMax(lower).cwiseMin(upper);
+  ceres::Problem posed;
+  posed.AddResidualBlock(new ForCeres(call), nullptr, u.data());
+  for (int i = 0; i < static_cast<int>(u.size()); ++i) {
+    posed.SetParameterLowerBound(u.data(), i, lower[i]);
+    posed.SetParameterUpperBound(u.data(), i, upper[i]);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.line_search_interpolation_type = ceres::QUADRATIC;
+  options.function_tolerance = 1e-14;
+  options.gradient_tolerance = 0;
+  options.max_num_iterations = call.limit - 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &posed, &summary);
+  return call.x(u);
+}
+
+}  // namespace
+
+std::function<Vector(const DirectCall&)> direct_call(const std::string& solver) {
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    if (solver != fmt::format("nlopt-{}", algorithm.name)) continue;
+    return [algorithm](const DirectCall& call) { return call_nlopt(algorithm, call); };
+  }
+  if (solver == "ceres-lbfgs") return call_ceres;
+  if (solver == "ceres-trust-region") return call_ceres_least_squares;
+#ifdef RICOCHET_HAS_DLIB
+  if (solver == "dlib-global-search") return call_dlib;
+#endif
+#ifdef RICOCHET_HAS_IPOPT
+  if (solver.starts_with("ipopt")) {
+    return [solver](const DirectCall& call) { return call_ipopt(solver, call); };
+  }
+#endif
+#ifdef RICOCHET_HAS_TAO
+  if (solver.starts_with("tao-")) {
+    return [solver](const DirectCall& call) { return call_tao(solver, call); };
+  }
+#endif
+#ifdef RICOCHET_HAS_PAGMO
+  if (solver.starts_with("pagmo-")) {
+    return [solver](const DirectCall& call) { return call_pagmo(solver, call); };
+  }
+#endif
+  return nullptr;
+}
+
+Coordinates coordinates_of(const std::string& solver) {
+  for (const AdjustableSolver& adjustable : adjustable_solvers()) {
+    if (adjustable.name != solver) continue;
+    for (const SolverOption& option : adjustable.options) {
+      if (option.name != coordinates_option.key) continue;
+      Coordinates usual{};
+      give(OptionValue(option.usual), usual);
+      return usual;
+    }
+  }
+  return Coordinates::unit;
+}
+
+}  // namespace ricochet

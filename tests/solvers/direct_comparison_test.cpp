@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <initializer_list>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -76,6 +77,7 @@ Solver library_of(const Solver& solver, const Problem& problem, std::int64_t bud
     Problem posed = problem;
     posed.start = start;
     DirectCall call{posed, evaluator, Coordinates::own, random(), limit};
+    if (name.starts_with("ipopt")) call.limit /= 3;  // an iteration costs a value and a gradient
     call.library_chooses = true;
     return SolverTermination{"", direct_call(name)(call)};
   };
@@ -152,20 +154,51 @@ std::vector<Solver> of_libraries() {
   return solvers;
 }
 
+/// What the caller does otherwise than the adapter; empty if nothing that runs depend on.
+std::string difference(const Solver& solver) {
+  const auto is = [&](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), solver.name) != names.end();
+  };
+  if (solver.name == "ceres-lbfgs") return "bounds, which are left out";
+  if (solver.name == "pagmo-compass-search") return "first step";
+  if (solver.name.starts_with("pagmo-")) return "first population";
+  if (solver.name.starts_with("dlib-")) return "first points, samples";
+  if (is({"nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
+          "nlopt-mlsl-bobyqa", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx"})) {
+    return "first step";
+  }
+  if (is({"nlopt-lbfgs", "nlopt-var2", "nlopt-tnewton", "nlopt-mlsl-lbfgs",
+          "nlopt-auglag-lbfgs"})) {
+    return "length of history";
+  }
+  const bool scales_itself =
+      is({"nlopt-direct", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-ags",
+          "nlopt-mma", "nlopt-ccsaq", "nlopt-auglag-mma", "ceres-trust-region"});
+  const bool own = coordinates_of(solver.name) == Coordinates::own;
+  return own || scales_itself ? "" : "coordinates";
+}
+
 class DirectComparison : public testing::TestWithParam<Solver> {};
 
 TEST_P(DirectComparison, TheAdapterIsNoWorseThanItsLibrary) {
   const Solver& solver = GetParam();
   const Compared result = compared(solver);
-  const std::string coordinates(name_of(names_of(Coordinates{}), coordinates_of(solver.name)));
+  const std::string other = difference(solver);
   fmt::print(
-      "{:22} {:4} {:2} problems {:2} starts: solved {:2} {:2}, evaluations {:6.0f} {:6.0f}, "
-      "first {:2} {:2}, p {:.3f}, at most {:.0f} % apart\n",
-      solver.name, coordinates, result.problems, result.starts, result.adapter_solved,
-      result.library_solved, result.adapter_spent, result.library_spent, result.adapter_first,
-      result.library_first, result.p(), 100 * result.farthest);
-  EXPECT_GT(result.problems, 2);
-  EXPECT_TRUE(result.adapter_first >= result.library_first || result.p() > 0.01);
+      "{:22} {:2} problems {:2} starts: solved {:2} {:2}, evaluations {:6.0f} {:6.0f}, first {:2} "
+      "{:2}, p {:.3f}, at most {:.0f} % apart, in {} coordinates{}\n",
+      solver.name, result.problems, result.starts, result.adapter_solved, result.library_solved,
+      result.adapter_spent, result.library_spent, result.adapter_first, result.library_first,
+      result.p(), 100 * result.farthest,
+      name_of(names_of(Coordinates{}), coordinates_of(solver.name)),
+      other.empty() ? "" : "; the caller differs in: " + other);
+  EXPECT_GT(result.problems, 1);
+  if (other.empty()) {
+    EXPECT_EQ(result.adapter_solved, result.library_solved);
+    EXPECT_LE(result.farthest, 0.1);  // rounding moves single evaluations
+  } else {
+    EXPECT_TRUE(result.adapter_first >= result.library_first || result.p() > 0.01);
+  }
 }
 
 std::string name_of_test(const testing::TestParamInfo<Solver>& tested) {

@@ -83,13 +83,15 @@ Vector call_pagmo(const std::string& solver, const DirectCall& call) {
   const auto cmaes = [&](double step) {
     return pagmo::cmaes(generations, -1, -1, -1, -1, step, f, x, false, true, seed);
   };
-  if (solver == "pagmo-cmaes") return best(evolved(cmaes(0.5), size, start));
-  if (solver == "pagmo-cmaes-tuned") return best(evolved(cmaes(0.25), size, start));
-  if (solver == "pagmo-cmaes-ipop") {
+  const double first_step = solver.ends_with("-tuned") ? 0.25 : 0.5;
+  if (solver == "pagmo-cmaes" || solver == "pagmo-cmaes-tuned") {
+    return best(evolved(cmaes(first_step), size, start));
+  }
+  if (solver.starts_with("pagmo-cmaes-ipop")) {
     Random random(call.seed);
     Vector from = start;
     for (;; size *= 2) {
-      const Vector found = best(evolved(cmaes(0.25), size, from));
+      const Vector found = best(evolved(cmaes(first_step), size, from));
       if (call.evaluator.ledger().charged >= call.limit) return found;
       from = uniform_point(call.problem.lower, call.problem.upper, random);
     }

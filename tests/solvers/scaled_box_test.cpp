@@ -23,9 +23,46 @@ TEST(ScaledBox, HasAPlaceForACoordinateWithoutWidth) {
   problem.lower = Vector{{-100, 2}};
   problem.upper = Vector{{300, 2}};
   Evaluator evaluator(problem, {10});
-  const ScaledBox box(evaluator);
-  EXPECT_EQ(box.to_scaled(Vector{{100, 2}}), (Vector{{0.5, 0}}));
-  EXPECT_EQ(box.from_scaled(Vector{{0.5, 1}}), (Vector{{100, 2}}));
+  for (const auto& [name, coordinates] : names_of(Coordinates{})) {
+    ScaledBox box(evaluator, coordinates);
+    EXPECT_EQ(box.to_scaled(Vector{{100, 2}})[1], 0) << name;
+    EXPECT_EQ(box.from_scaled(box.lower()), problem.lower) << name;
+    EXPECT_EQ(box.from_scaled(box.upper()), problem.upper) << name;
+    EXPECT_LT(box.lower()[1], box.upper()[1]) << name << ": libraries refuse equal bounds";
+    EXPECT_EQ(box.derivatives(box.upper())->gradient[1], 0) << name;
+  }
+}
+
+TEST(ScaledBox, IsTheBoxOfTheProblemInItsOwnCoordinates) {
+  Problem problem = sphere(2, 3);
+  problem.lower = Vector{{-100, 2}};
+  problem.upper = Vector{{300, 4}};
+  Evaluator evaluator(problem, {10});
+  ScaledBox box(evaluator, Coordinates::own);
+  EXPECT_EQ(box.lower(), problem.lower);
+  EXPECT_EQ(box.upper(), problem.upper);
+  const Vector x{{0.1, 3.7}};
+  EXPECT_EQ(box.to_scaled(x), x);
+  EXPECT_EQ(box.from_scaled(x), x);
+  EXPECT_EQ(box.derivatives(x)->gradient, problem.differentiate(x).gradient);
+}
+
+TEST(ScaledBox, KeepsTheRatioOfTheSidesWhenTheLongestHasLengthOne) {
+  Problem problem = sphere(2, 3);
+  problem.lower = Vector{{-100, 2}};
+  problem.upper = Vector{{300, 4}};
+  Evaluator evaluator(problem, {10});
+  ScaledBox box(evaluator, Coordinates::even);
+  EXPECT_EQ(box.lower(), Vector::Zero(2));
+  EXPECT_EQ(box.upper(), (Vector{{1, 0.005}}));
+  EXPECT_EQ(box.from_scaled(Vector{{0.25, 0.0025}}), (Vector{{0, 3}}));
+  EXPECT_EQ(box.derivatives(Vector{{0.5, 0}})->gradient, 400 * (Vector{{194, -2}}));
+}
+
+TEST(ScaledBox, MovesAPointIntoTheBox) {
+  const Problem problem = sphere(2, 3);  // on [-100, 100]^2
+  Evaluator evaluator(problem, {10});
+  EXPECT_EQ(ScaledBox(evaluator).to_scaled(Vector{{-300, 300}}), (Vector{{0, 1}}));
 }
 
 TEST(ScaledBox, ScalesDerivativesByTheWidth) {

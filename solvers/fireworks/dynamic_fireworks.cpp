@@ -87,6 +87,10 @@ Solver dynamic_fireworks(std::string name, const DynamicFireworksOptions& option
                 });
 }
 
+BareBonesFireworksOptions tuned_options() {
+  return {.sparks = 10, .neutral_moves = true};
+}
+
 namespace {
 
 void explode_until_refused(const BareBonesFireworksOptions& options, Evaluator& evaluator,

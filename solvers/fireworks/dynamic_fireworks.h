@@ -35,6 +35,9 @@ struct BareBonesFireworksOptions {
   bool neutral_moves = false;  ///< whether the firework also moves to a spark that is as good
 };
 
+/// What did best on one half of this suite's problems, see docs/benchmark-method.md.
+BareBonesFireworksOptions tuned_options();
+
 /// BBFWA, the bare bones fireworks algorithm (Li and Tan, Applied Soft Computing 62 (2018) 454, doi
 /// 10.1016/j.asoc.2017.10.046): one firework, whose sparks are uniform in a box around it. It moves
 /// to the best spark (the first one among equals) if that is strictly better, and the amplitude

@@ -241,6 +241,7 @@ std::vector<AdjustableSolver> adjustable_family() {
           member_of("efwa", enhanced_options(), fireworks),
           member_of("dynfwa", DynamicFireworksOptions(), dynamic_fireworks),
           member_of("bbfwa", BareBonesFireworksOptions(), bare_bones_fireworks),
+          member_of("bbfwa-tuned", tuned_options(), bare_bones_fireworks),
           member_of("lotfwa", LoserOutFireworksOptions(), loser_out_fireworks),
           member_of("mgfwa", multi_guiding_options(), loser_out_fireworks),
           member_of("fwassp", PartitionedFireworksOptions(), partitioned_fireworks)};
@@ -256,7 +257,10 @@ std::vector<Solver> family() {
           fireworks("efwa", enhanced_options()),
           dynamic_fireworks("dynfwa"),
           bare_bones_fireworks("bbfwa"),
+          bare_bones_fireworks("bbfwa-scaled", {.scaled = true}),
+          bare_bones_fireworks("bbfwa-tuned", tuned_options()),
           loser_out_fireworks("lotfwa"),
+          loser_out_fireworks("lotfwa-scaled", {.scaled = true}),
           loser_out_fireworks("mgfwa", multi_guiding_options()),
           partitioned_fireworks("fwassp")};
 }

@@ -63,9 +63,17 @@ Servers& servers() {
 }
 
 std::unique_ptr<outside::LineProgram> started(const std::string& script) {
-  auto program = servers().copy(script);
-  if (!program) throw std::runtime_error("ended at once");
-  const std::string version = outside::greeting_of(*program).version;
+  std::unique_ptr<outside::LineProgram> program;
+  std::string version;
+  for (bool again = false; version.empty(); again = true) {
+    try {
+      program = servers().copy(script);
+      if (!program) throw std::runtime_error("ended at once");
+      version = outside::greeting_of(*program).version;
+    } catch (const std::exception&) {  // of a server that was about to end?
+      if (again) throw;
+    }
+  }
   if (version != RICOCHET_SCIPY_VERSION) {
     throw std::runtime_error(fmt::format("loaded SciPy {}, but ricochet was configured with {}",
                                          version, RICOCHET_SCIPY_VERSION));

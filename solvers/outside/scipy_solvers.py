@@ -7,6 +7,7 @@ more before each problem: {"solver": NAME}. A copy whose connection is closed is
 middle of compiled code.
 """
 
+import gc
 import json
 import os
 import select
@@ -183,9 +184,29 @@ def serve(control):
                     del copies[each]
 
 
+def warm_up():
+    """Runs every solver once, so that what SciPy loads and keeps is there before the first copy."""
+    told = {"lower": [-1, -1], "upper": [2, 2], "start": [1, 1], "constraints": 1, "equalities": 0, "seed": 0}
+    for solver in SOLVERS.values():
+        left = iter(range(50))
+
+        def ask(x, derivatives):
+            if next(left, None) is None:
+                raise RunOver
+            return {"objective": x[0] ** 2 + x[1] ** 2, "constraints": [-1 - x[0]],
+                    "gradient": [2 * x[0], 2 * x[1]], "jacobian": [[-1, 0]]}
+
+        try:
+            solver(Problem(told, ask))
+        except RunOver:
+            pass
+    gc.freeze()  # a collection in a copy would write to all pages that it shares
+
+
 if __name__ == "__main__":
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a copy that nobody reads ends in silence
     warnings.simplefilter("ignore")
     np.seterr(all="ignore")
+    warm_up()
     with socket.socket(fileno=0) as control_socket:
         serve(control_socket)

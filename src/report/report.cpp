@@ -61,6 +61,7 @@ WrittenReport draw_page(const Json& data, const Json& made, const fs::path& fold
   Results results = results_in(data);
   add_made(made, results);
   if (made.value("reference", false)) {
+    results.open = true;  // it may be older than this program's pages
     const std::size_t title = page.text.find('\n', page.text.find("# "));
     page.text.insert(
         std::min(title, page.text.size()),

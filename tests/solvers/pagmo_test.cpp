@@ -85,14 +85,14 @@ TEST(PagmoSade, FindsTheLowestOfManyHollows) {
 
 TEST(PagmoCmaesIpop, FindsTheLowestOfManyHollowsByGrowingPopulations) {
   // Populations that stay as they are begin some 60 times, in vain.
-  EXPECT_LT(end_of(hollows(5), pagmo_cmaes_ipop(), 40'000), 1e-8);
+  EXPECT_LT(end_of(hollows(5), pagmo_cmaes_ipop(Settings::tuned), 40'000), 1e-8);
   EXPECT_GT(end_of(hollows(5), pagmo_cmaes(Settings::tuned), 40'000), 0.9);
 }
 
 Solver named(const std::string& name) {
-  for (const Solver& solver :
-       {pagmo_cmaes(Settings::own), pagmo_cmaes_ipop(), pagmo_xnes(), pagmo_de(), pagmo_sade(),
-        pagmo_de1220(), pagmo_gaco(), pagmo_compass_search(), pagmo_constrained_de()}) {
+  for (const Solver& solver : {pagmo_cmaes(Settings::own), pagmo_cmaes_ipop(Settings::own),
+                               pagmo_xnes(), pagmo_de(), pagmo_sade(), pagmo_de1220(), pagmo_gaco(),
+                               pagmo_compass_search(), pagmo_constrained_de()}) {
     if (solver.name == name) return solver;
   }
   throw std::invalid_argument(name);

@@ -132,8 +132,8 @@ BestKnown search_for_best(const Problem& problem, const Effort& effort) {
   // The solvers that do best on problems with derivatives, and without.
   const std::vector<std::string> searchers =
       problem.differentiate || problem.smoothed
-          ? std::vector<std::string>{"nlopt-slsqp", "nlopt-ccsaq", "pagmo-cmaes-ipop"}
-          : std::vector<std::string>{"pagmo-cmaes-ipop", "nlopt-crs2", "mads"};
+          ? std::vector<std::string>{"nlopt-slsqp", "nlopt-ccsaq", "pagmo-cmaes-ipop-tuned"}
+          : std::vector<std::string>{"pagmo-cmaes-ipop-tuned", "nlopt-crs2", "mads-tuned"};
   const std::int64_t evaluations = effort.evaluations_per_variable * problem.dimension();
   Best best;
   if (problem.best_point) {

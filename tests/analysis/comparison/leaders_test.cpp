@@ -108,7 +108,7 @@ TEST(Leaders, SayWhoSolvesMoreThanTheFirst) {
 }
 
 TEST(Leaders, SayThatTheFirstWasTunedToTheSuite) {
-  const Led led({{"mads", twice(run_of(10))}, {"b", twice(run_of(50))}});
+  const Led led({{"continuation-nlopt-slsqp", twice(run_of(10))}, {"b", twice(run_of(50))}});
   EXPECT_EQ(leader_table(led.parts)[1].text("tuned"), " (tuned to this suite)");
   const Led other({{"a", twice(run_of(10))}, {"b", twice(run_of(50))}});
   EXPECT_EQ(leader_table(other.parts)[1].text("tuned"), "");

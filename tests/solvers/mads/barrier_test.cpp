@@ -21,17 +21,19 @@ TEST(ViolationOf, SumsTheSquaresOfWhatIsBroken) {
   EXPECT_TRUE(std::isnan(violation_of({0, Vector{{std::nan("")}}}, 0)));
 }
 
-TEST(Barrier, MovesToATieAndTakesItForNoSuccess) {
-  Barrier barrier;
-  barrier.add(trial(5, 0));
-  barrier.settle(Progress::dominating);
-  EXPECT_EQ(barrier.add({Vector::Constant(1, 9), 5, 0}), Progress::none);
-  barrier.settle(Progress::none);
-  EXPECT_EQ(barrier.feasible()->u[0], 9);
+TEST(Barrier, TakesATieForNoSuccessAndMovesToItIfItAcceptsTies) {
+  for (const bool accepts_ties : {false, true}) {
+    Barrier barrier(accepts_ties);
+    barrier.add(trial(5, 0));
+    barrier.settle(Progress::dominating);
+    EXPECT_EQ(barrier.add({Vector::Constant(1, 9), 5, 0}), Progress::none);
+    barrier.settle(Progress::none);
+    EXPECT_EQ(barrier.feasible()->u[0], accepts_ties ? 9 : 5);
+  }
 }
 
 TEST(Barrier, TakesALowerFeasiblePointForASuccess) {
-  Barrier barrier;
+  Barrier barrier(false);
   EXPECT_EQ(barrier.add(trial(5, 0)), Progress::dominating);
   barrier.settle(Progress::dominating);
   EXPECT_EQ(barrier.add(trial(6, 0)), Progress::none);
@@ -43,7 +45,7 @@ TEST(Barrier, TakesALowerFeasiblePointForASuccess) {
 
 /// An infeasible incumbent of objective 5 and violation 4.
 Barrier infeasible_barrier() {
-  Barrier barrier;
+  Barrier barrier(false);
   barrier.add(trial(5, 4));
   barrier.settle(Progress::none);
   return barrier;
@@ -87,7 +89,7 @@ TEST(Barrier, KeepsBothIncumbents) {
 }
 
 TEST(Barrier, DoesNotTakeWhatIsNoNumber) {
-  Barrier barrier;
+  Barrier barrier(false);
   for (const double bad : {std::nan(""), infinity, -infinity}) {
     EXPECT_EQ(barrier.add(trial(bad, 0)), Progress::none);
     EXPECT_EQ(barrier.add(trial(bad, 1)), Progress::none);

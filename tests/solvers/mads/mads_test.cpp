@@ -14,12 +14,17 @@
 namespace ricochet {
 namespace {
 
-/// The best feasible objective after one call of solve.
-double end_of(const Problem& problem, std::uint64_t seed = 1) {
+class Mads : public testing::TestWithParam<Settings> {
+ protected:
+  /// The best feasible objective after one call of solve.
+  static double end_of(const Problem& problem, std::uint64_t seed = 1);
+};
+
+double Mads::end_of(const Problem& problem, std::uint64_t seed) {
   Scorer scorer(problem);
   Evaluator evaluator(problem, {20'000}, &scorer);
   Random random(seed);
-  const SolverTermination exit = mads().solve(evaluator, problem.start, random);
+  const SolverTermination exit = mads(GetParam()).solve(evaluator, problem.start, random);
   EXPECT_EQ(exit.reason, "the mesh is fine") << problem.name;
   EXPECT_EQ(scorer.best()->true_values.violation, 0) << problem.name;
   return scorer.best()->true_values.objective;
@@ -32,18 +37,18 @@ Problem classic_problem(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-TEST(Mads, ConvergesOnASphere) {
+TEST_P(Mads, ConvergesOnASphere) {
   for (const Eigen::Index n : {1, 2, 5}) EXPECT_LT(end_of(sphere(n, 3)), 1e-3) << n;
 }
 
-TEST(Mads, ConvergesInRosenbrocksValley) {
+TEST_P(Mads, ConvergesInRosenbrocksValley) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     EXPECT_LT(end_of(classic_problem("classic-rosenbrock-2"), seed), 0.05);
   }
 }
 
 /// Inequalities alone, and one optimum; published.
-TEST(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
+TEST_P(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
   for (const char* name : {"hs-12", "hs-22", "hs-29", "hs-35", "hs-43", "hs-65", "hs-76"}) {
     const Problem problem = classic_problem(name);
     const double best = *problem.best_known;
@@ -51,8 +56,8 @@ TEST(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
   }
 }
 
-TEST(Mads, FindsPointsOnAnArc) {
-  const RunRecord record = run(arc(), mads(), {5000}, 0);
+TEST_P(Mads, FindsPointsOnAnArc) {
+  const RunRecord record = run(arc(), mads(GetParam()), {5000}, 0);
   EXPECT_EQ(record.trace.back().true_values.violation, 0);
   EXPECT_LE(record.trace.back().true_values.objective, -1);
 }
@@ -69,13 +74,13 @@ Problem steps() {
   return problem;
 }
 
-TEST(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
-  const RunRecord record = run(steps(), mads(), {2000}, 0);
+TEST_P(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
+  const RunRecord record = run(steps(), mads(GetParam()), {2000}, 0);
   EXPECT_EQ(record.trace.back().true_values.violation, 0);
   EXPECT_NEAR(record.trace.back().true_values.objective, -8.5, 0.01);
 }
 
-TEST(Mads, StaysInTheBoxWhateverItAsksFor) {
+TEST_P(Mads, StaysInTheBoxWhateverItAsksFor) {
   for (Problem problem : {sphere(3, 130), disc(), steps()}) {
     int asked = 0;
     problem.evaluate = [&asked, problem](const Vector& x) {
@@ -84,16 +89,16 @@ TEST(Mads, StaysInTheBoxWhateverItAsksFor) {
       ++asked;
       return problem.evaluate(x);
     };
-    run(problem, mads(), {1000}, 0);
+    run(problem, mads(GetParam()), {1000}, 0);
     EXPECT_GE(asked, 1000);
   }
 }
 
-TEST(Mads, ReachesABound) {
+TEST_P(Mads, ReachesABound) {
   EXPECT_EQ(end_of(sphere(3, 130)), 3 * 30 * 30);
 }
 
-TEST(Mads, AsksForNoPointTwiceFromOneStart) {
+TEST_P(Mads, AsksForNoPointTwiceFromOneStart) {
   for (Problem problem : {sphere(1, 3), plateau(2)}) {
     std::vector<Vector> asked;
     problem.evaluate = [&asked, problem](const Vector& x) {
@@ -105,28 +110,33 @@ TEST(Mads, AsksForNoPointTwiceFromOneStart) {
   }
 }
 
-TEST(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
-  const RunRecord record = run(plateau(2), mads(), {1000}, 0);
+TEST_P(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
+  const RunRecord record = run(plateau(2), mads(GetParam()), {1000}, 0);
   EXPECT_GT(record.terminations.size(), 10U);
   EXPECT_EQ(record.terminations.front().reason, "the mesh is fine");
 }
 
-TEST(Mads, LeavesACoordinateAloneWhoseBoxHasNoWidth) {
+TEST_P(Mads, LeavesACoordinateAloneWhoseBoxHasNoWidth) {
   Problem problem = sphere(3, 3);
   problem.lower[1] = problem.upper[1] = problem.start[1] = 5;
   EXPECT_NEAR(end_of(problem), 4, 1e-3);
 }
 
-TEST(Mads, SpendsItsBudgetToTheLastEvaluation) {
+TEST_P(Mads, SpendsItsBudgetToTheLastEvaluation) {
   const Problem problem = disc();
   for (std::int64_t budget = 0; budget < 60; ++budget) {
     Evaluator evaluator(problem, {budget});
     Random random(1);
-    const SolverTermination exit = mads().solve(evaluator, problem.start, random);
+    const SolverTermination exit = mads(GetParam()).solve(evaluator, problem.start, random);
     EXPECT_EQ(exit.reason, "stopped by the evaluator");
     EXPECT_EQ(evaluator.ledger().charged, budget);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(With, Mads, testing::Values(Settings::own, Settings::tuned),
+                         [](const auto& tested) {
+                           return tested.param == Settings::own ? "OwnSettings" : "TunedSettings";
+                         });
 
 }  // namespace
 }  // namespace ricochet

@@ -60,7 +60,7 @@ TEST(FireworksStudy, SeesWhoFavoursTheOrigin) {
   });
   EXPECT_EQ(biased,
             (std::set<std::string>{"fireworks", "fireworks-as-printed", "fireworks-authors"}));
-  EXPECT_EQ(made().table("shift")->rows.size(), 10U * 6U);
+  EXPECT_EQ(made().table("shift")->rows.size(), 13U * 6U);
 }
 
 TEST(FireworksStudy, ComparesAllThatHasFigures) {

@@ -107,7 +107,7 @@ Options own_options() {
 /// What a plan may change.
 struct LineSearchOptions {
   Options ceres = own_options();
-  Coordinates coordinates = Coordinates::unit;
+  Coordinates coordinates = Coordinates::own;
 };
 
 template <class Visit, IsOf<LineSearchOptions>... O>
@@ -139,7 +139,7 @@ Solver lbfgs(const LineSearchOptions& options) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-lbfgs";
-  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
+  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 3)";
   solver.capabilities = ceres_lbfgs_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {
@@ -209,7 +209,7 @@ LeastSquaresOptions own_least_squares_options() {
 /// What a plan may change.
 struct TrustRegionOptions {
   LeastSquaresOptions ceres = own_least_squares_options();
-  Coordinates coordinates = Coordinates::unit;
+  Coordinates coordinates = Coordinates::own;
 };
 
 template <class Visit, IsOf<TrustRegionOptions>... O>
@@ -246,7 +246,7 @@ Solver least_squares(const TrustRegionOptions& options) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-trust-region";
-  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
+  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 3)";
   solver.capabilities = ceres_least_squares_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random&) {

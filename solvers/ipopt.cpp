@@ -244,7 +244,7 @@ struct Choice {
   const char* name;
   Settings settings;
   Hessian hessian;
-  Coordinates coordinates = Coordinates::unit;
+  Coordinates coordinates = Coordinates::own;
 };
 
 constexpr Choice own_choice{"ipopt", Settings::own, Hessian::limited_memory};
@@ -290,7 +290,7 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choi
 Solver made(const Choice& choice, const GivenOptions& given) {
   Solver solver;
   solver.name = choice.name;
-  solver.version = "Ipopt " IPOPT_VERSION " (adapter 2)";
+  solver.version = "Ipopt " IPOPT_VERSION " (adapter 3)";
   solver.capabilities =
       choice.hessian == Hessian::exact ? ipopt_exact_capabilities : ipopt_capabilities;
   solver.at_limit = AtLimit::own_point;

@@ -8,7 +8,8 @@
 
 namespace ricochet {
 
-/// "dlib-global-search": dlib's search without parameters in the unit cube. It alternates between
+/// "dlib-global-search": dlib's search without parameters in the unit cube, or in other
+/// "coordinates". It alternates between
 /// the highest point of an upper bound, LIPO (Malherbe and Vayatis, ICML 2017, 2314-2323), and a
 /// step to the optimum of a quadratic model in a trust region. It begins with the start and points
 /// uniform in the box, until two values differ. Points without a finite value count as the worst so
@@ -23,8 +24,8 @@ inline constexpr Capabilities dlib_capabilities = {.most_variables = 8};
 AdjustableSolver adjustable_dlib();
 
 /// "ipopt": the interior-point method of Waechter and Biegler (Math. Program. 106 (2006) 25-57) in
-/// the unit cube, with a limited-memory Hessian. Ipopt is not thread-safe, so a process runs one
-/// solve at a time and others wait; waiting takes no processor time.
+/// the problem's own coordinates, with a limited-memory Hessian. Ipopt is not thread-safe, so a
+/// process runs one solve at a time and others wait; waiting takes no processor time.
 Solver ipopt(Settings settings);
 inline constexpr Capabilities ipopt_capabilities = {.constraints = Capabilities::Constraints::all,
                                                     .derivatives = Capabilities::Order::gradient};
@@ -34,39 +35,41 @@ Solver ipopt_exact();
 inline constexpr Capabilities ipopt_exact_capabilities = {
     .constraints = Capabilities::Constraints::all, .derivatives = Capabilities::Order::hessian};
 
-/// "ipopt", "ipopt-tuned" and "ipopt-exact" with any of Ipopt's own options under its names, except
-/// those that choose the Hessian, write files, or end a run by the clock.
+/// "ipopt", "ipopt-tuned" and "ipopt-exact" with any of Ipopt's own options under its names, and
+/// "coordinates", except those that choose the Hessian, write files, or end a run by the clock.
 std::vector<AdjustableSolver> adjustable_ipopt();
 
 /// "ceres-lbfgs": the limited-memory BFGS line search of Ceres. It takes no bounds, so it works on
-/// y in R^n with x = middle + half width * sin(y). On a bound the slope of this map is 0, so a
-/// start there is moved inside by 5e-4 of the box.
+/// y in R^n with x = middle + half width * sin(angle), where the angle is y / half width: in the
+/// middle of the box dx / dy = 1. On a bound it is 0, so a start there is moved inside by 5e-4 of
+/// the box.
 Solver ceres_lbfgs();
 inline constexpr Capabilities ceres_lbfgs_capabilities = {.derivatives =
                                                               Capabilities::Order::gradient};
 
 /// With Ceres's own options "max_lbfgs_rank", "function_tolerance", "gradient_tolerance",
-/// "parameter_tolerance", "line_search_sufficient_function_decrease" and
-/// "line_search_sufficient_curvature_decrease".
+/// "parameter_tolerance", "line_search_sufficient_function_decrease",
+/// "line_search_sufficient_curvature_decrease", and "coordinates".
 AdjustableSolver adjustable_ceres_lbfgs();
 
-/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the unit cube, with dense QR
-/// decomposition, in one thread. Ends at once if the residuals at the start are not finite. Ceres
-/// projects its steps onto the box and can stop short of an optimum on a bound:
+/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the problem's own coordinates,
+/// with dense QR decomposition, in one thread. Ends at once if the residuals at the start are not
+/// finite. Ceres projects its steps onto the box and can stop short of an optimum on a bound:
 /// https://github.com/ceres-solver/ceres-solver/issues/187.
 Solver ceres_least_squares();
 inline constexpr Capabilities ceres_least_squares_capabilities = {.needs_residuals = true};
 
 /// With Ceres's own options "initial_trust_region_radius", "function_tolerance" and
-/// "parameter_tolerance".
+/// "parameter_tolerance", and "coordinates".
 AdjustableSolver adjustable_ceres_least_squares();
 
-/// Solvers of TAO, the optimisation part of PETSc, each with its library's own settings, over the
-/// unit cube: bounded limited-memory variable metric, `tao-blmvm`; bounded quasi-Newton line
-/// search, `tao-bqnls`; bounded nonlinear conjugate gradients, `tao-bncg`; for least squares
-/// POUNDERS, without derivatives, `tao-pounders`, and bounded regularised Gauss-Newton, `tao-brgn`.
-/// Sources: for POUNDERS, Wild, in Advances and Trends in Optimization with Engineering
-/// Applications (2017), ch. 40; for all, the TAO Users Manual, ANL/MCS-TM-322 Rev. 3.18 (2022).
+/// Solvers of TAO, the optimisation part of PETSc, each with its library's own settings, in the
+/// problem's own coordinates, POUNDERS in the unit cube; "coordinates" is their option: bounded
+/// limited-memory variable metric, `tao-blmvm`; bounded quasi-Newton line search, `tao-bqnls`;
+/// bounded nonlinear conjugate gradients, `tao-bncg`; for least squares POUNDERS, without
+/// derivatives, `tao-pounders`, and bounded regularised Gauss-Newton, `tao-brgn`. Sources: for
+/// POUNDERS, Wild, in Advances and Trends in Optimization with Engineering Applications (2017), ch.
+/// 40; for all, the TAO Users Manual, ANL/MCS-TM-322 Rev. 3.18 (2022).
 ///
 /// They are in a separate shared library, which the first start of one loads, in 0.1 s; a start
 /// throws std::runtime_error if it does not load. Returns none if that library or PETSc is missing.

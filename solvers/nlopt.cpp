@@ -105,6 +105,19 @@ constexpr Capabilities with_gradients(Capabilities capabilities) {
   return capabilities;
 }
 
+/// Returns true for a local algorithm whose runs depend on the coordinates. COBYLA, BOBYQA,
+/// Nelder-Mead and Sbplx scale them by their first step, MMA and CCSAQ by their first trust region,
+/// which are shares of the box; global algorithms scale the box.
+bool feels_coordinates(nlopt_algorithm local) {
+  return local == NLOPT_LD_SLSQP || local == NLOPT_LD_LBFGS || local == NLOPT_LD_VAR2 ||
+         local == NLOPT_LD_TNEWTON_RESTART;
+}
+
+/// What they work in; docs/benchmark-method.md has the comparison.
+Coordinates coordinates_for(nlopt_algorithm local) {
+  return feels_coordinates(local) ? Coordinates::own : Coordinates::unit;
+}
+
 /// The global algorithms. DIRECT is the original code where possible: NLopt's other version takes
 /// no constraints.
 std::vector<NloptAlgorithm> global_ones() {
@@ -191,6 +204,7 @@ std::vector<NloptAlgorithm> nlopt_algorithms() {
     // It interpolates at n + 2 points or more, which is not possible in one dimension.
     const bool bobyqa = algorithm.id == NLOPT_LN_BOBYQA || algorithm.local == NLOPT_LN_BOBYQA;
     if (bobyqa) algorithm.capabilities.least_variables = 2;
+    algorithm.coordinates = coordinates_for(algorithm.local.value_or(algorithm.id));
   }
   return algorithms;
 }
@@ -202,7 +216,8 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
   nlopt_version(&version[0], &version[1], &version[2]);
   Solver solver;
   solver.name = fmt::format("nlopt-{}", algorithm.name);
-  solver.version = fmt::format("NLopt {} (adapter 2)", fmt::join(version, "."));
+  const int adapter = algorithm.coordinates == Coordinates::own ? 3 : 2;
+  solver.version = fmt::format("NLopt {} (adapter {})", fmt::join(version, "."), adapter);
   solver.stochastic = algorithm.draws;
   solver.capabilities = algorithm.capabilities;
   solver.at_limit = AtLimit::own_point;
@@ -213,21 +228,6 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
 }
 
 }  // namespace
-
-/// Whether runs depend on the coordinates. Global algorithms scale the box themselves; COBYLA,
-/// BOBYQA, Nelder-Mead and Sbplx by their first step, which is a share of the box; MMA and CCSAQ by
-/// their first trust region.
-bool feels_coordinates(const NloptAlgorithm& algorithm) {
-  switch (algorithm.local.value_or(algorithm.id)) {
-    case NLOPT_LD_SLSQP:
-    case NLOPT_LD_LBFGS:
-    case NLOPT_LD_VAR2:
-    case NLOPT_LD_TNEWTON_RESTART:
-      return true;
-    default:
-      return false;
-  }
-}
 
 /// The options that affect this algorithm.
 template <class Visit, IsOf<NloptAlgorithm>... A>
@@ -246,7 +246,8 @@ void visit_fields(const Visit& visit, A&... a) {
   if (is_one_of({NLOPT_LD_LBFGS, NLOPT_LD_VAR2, NLOPT_LD_TNEWTON_PRECOND_RESTART})) {
     visit(whole_option("vectors", 1, 1000), a.vectors...);
   }
-  if (feels_coordinates(algorithm)) visit(coordinates_option, a.coordinates...);
+  if (feels_coordinates(algorithm.local.value_or(algorithm.id)))
+    visit(coordinates_option, a.coordinates...);
   const bool looks_everywhere =
       algorithm.is_original_direct() ||
       is_one_of({NLOPT_GN_CRS2_LM, NLOPT_GN_ISRES, NLOPT_GN_ESCH, NLOPT_GN_AGS});

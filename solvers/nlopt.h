@@ -43,7 +43,8 @@ struct NloptAlgorithm {
 /// and near duplicates.
 std::vector<NloptAlgorithm> nlopt_algorithms();
 
-/// The solvers of NLopt, "nlopt-...", each with the capabilities it has in NLopt 2.7.1. All work in
+/// The solvers of NLopt, "nlopt-...", each with the capabilities it has in NLopt 2.7.1. Those
+/// that use gradients, but for MMA and CCSAQ, work in the problem's own coordinates, the others in
 /// the unit cube. Local ones begin with a step of a quarter of the box and end at a step of 1e-8 of
 /// it; they can then be restarted elsewhere.
 ///
@@ -52,8 +53,8 @@ std::vector<NloptAlgorithm> nlopt_algorithms();
 std::vector<Solver> nlopt_solvers();
 
 /// The adjustable ones. Options: "population" of crs2, isres, esch and mlsl; of local solvers
-/// "tolerance" and, if they take it, "initial_step", both as shares of the box, and the number of
-/// "vectors" that quasi-Newton methods keep.
+/// "tolerance" and, if they take it, "initial_step", both as shares of each side of the box, the
+/// number of "vectors" that quasi-Newton methods keep, and "coordinates" if runs depend on them.
 std::vector<AdjustableSolver> adjustable_nlopt();
 
 }  // namespace ricochet

@@ -19,21 +19,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct Options {
+  Coordinates coordinates = Coordinates::own;
+};
+
 /// The solvers that the library exports, in its order; each once for each of the coordinates.
 struct Exported {
   const char* name;
   Capabilities capabilities;
+  Options own = {};
 };
 
-constexpr Exported all[] = {{"tao-blmvm", tao_gradient_capabilities},
-                            {"tao-bqnls", tao_gradient_capabilities},
-                            {"tao-bncg", tao_gradient_capabilities},
-                            {"tao-pounders", tao_residual_capabilities},
-                            {"tao-brgn", tao_residual_capabilities}};
-
-struct Options {
-  Coordinates coordinates = Coordinates::unit;
-};
+constexpr Exported all[] = {
+    {"tao-blmvm", tao_gradient_capabilities},
+    {"tao-bqnls", tao_gradient_capabilities},
+    {"tao-bncg", tao_gradient_capabilities},
+    {"tao-pounders", tao_residual_capabilities, {.coordinates = Coordinates::unit}},
+    {"tao-brgn", tao_residual_capabilities}};
 
 template <class Visit, IsOf<Options>... O>
 void visit_fields(const Visit& visit, O&... o) {
@@ -79,10 +81,11 @@ std::vector<AdjustableSolver> adjustable_tao() {
   if (path.empty() || !fs::exists(RICOCHET_PETSC_FILE)) return {};
   std::vector<AdjustableSolver> solvers;
   for (std::size_t k = 0; k < std::size(all); ++k) {
-    solvers.push_back(adjustable(all[k].name, Options(), [k, path](const Options& options) {
+    solvers.push_back(adjustable(all[k].name, all[k].own, [k, path](const Options& options) {
       Solver solver;
       solver.name = all[k].name;
       solver.version = "PETSc " RICOCHET_PETSC_VERSION;
+      if (options.coordinates == Coordinates::own) solver.version += " (adapter 2)";
       solver.capabilities = all[k].capabilities;
       const std::size_t place = 3 * k + static_cast<std::size_t>(options.coordinates);
       solver.solve = [place, path](Evaluator& evaluator, const Vector& start, Random& random) {

@@ -44,6 +44,7 @@ constexpr Part constraints_only{static_cast<unsigned>(Part::equalities) |
 
 constexpr const char* tuned_strategy = "monotone";
 constexpr double tuned_barrier = 1e-3;  // the initial value
+constexpr int tuned_history = 20;       // steps that the limited-memory Hessian rests on
 
 /// Where second derivatives come from.
 enum class Hessian {
@@ -265,6 +266,7 @@ Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<ScaledProblem>& probl
     // constraint as curved as that of a surrogate. Also, a start may be near the optimum.
     options->SetStringValue("mu_strategy", tuned_strategy);
     options->SetNumericValue("mu_init", tuned_barrier);
+    options->SetIntegerValue("limited_memory_max_history", tuned_history);
   }
   // What Ipopt calls solved, even to an acceptable level, must be feasible to the score. Its own
   // tolerances are 1e-4 and 1e-2.
@@ -449,6 +451,7 @@ std::vector<AdjustableSolver> adjustable_ipopt() {
     if (choice.settings == Settings::tuned) {
       tell_own(options, "mu_strategy", tuned_strategy);
       tell_own(options, "mu_init", text_of(OptionValue(tuned_barrier)));
+      tell_own(options, "limited_memory_max_history", std::to_string(tuned_history));
     }
     solvers.push_back({choice.name, options, [own = choice](GivenOptions given) {
                          Choice chosen = own;

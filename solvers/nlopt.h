@@ -31,7 +31,7 @@ struct NloptAlgorithm {
   double tolerance = 1e-8;     ///< step [box widths] below which a local search has converged
   double initial_step = 0.25;  ///< of the box; NLopt's own default, without its exceptions
   std::optional<int> population = {};  ///< without: NLopt's own
-  int vectors = 10;  ///< kept by quasi-Newton methods; the default allocates 20 MB
+  int vectors = 100;  ///< kept by quasi-Newton methods; NLopt's own number takes 20 MB
 
   /// Returns true for the original code of DIRECT, which allocates memory for all points at once.
   bool is_original_direct() const;

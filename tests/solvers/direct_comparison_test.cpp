@@ -24,7 +24,7 @@
 namespace ricochet {
 namespace {
 
-constexpr int instances = 5;
+constexpr int instances = 4;
 constexpr std::int64_t gradient_price = 2;     // evaluations
 constexpr std::int64_t evaluations = 100;      // for each variable
 constexpr std::int64_t dlib_evaluations = 60;  // its time grows with the square of their number
@@ -166,10 +166,6 @@ std::string difference(const Solver& solver) {
   if (is({"nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
           "nlopt-mlsl-bobyqa", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx"})) {
     return "first step";
-  }
-  if (is({"nlopt-lbfgs", "nlopt-var2", "nlopt-tnewton", "nlopt-mlsl-lbfgs",
-          "nlopt-auglag-lbfgs"})) {
-    return "length of history";
   }
   const bool scales_itself =
       is({"nlopt-direct", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-ags",

@@ -113,6 +113,7 @@ Vector call_ipopt(const std::string& solver, const DirectCall& call) {
   if (solver == "ipopt-tuned") {
     options->SetStringValue("mu_strategy", "monotone");
     options->SetNumericValue("mu_init", 1e-3);
+    options->SetIntegerValue("limited_memory_max_history", 20);
   }
   options->SetNumericValue("constr_viol_tol", constraint_tolerance);
   options->SetNumericValue("acceptable_constr_viol_tol", constraint_tolerance);

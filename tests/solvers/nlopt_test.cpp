@@ -12,6 +12,7 @@
 #include "problems/classic/functions.h"
 #include "ricochet/run.h"
 #include "src/core/instance.h"
+#include "tests/solvers/direct_calls.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {
@@ -97,7 +98,10 @@ TEST_P(NloptEquations, EndsOnTheEquationWithinItsTolerance) {
   EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 1e-5);
 }
 
-TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
+TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBoxInTheUnitCube) {
+  const Solver solver = coordinates_of(GetParam()) == Coordinates::unit
+                            ? named(GetParam())
+                            : varied(GetParam(), GetParam(), {{"coordinates", "unit"}});
   const Problem metres = sphere(2, 3);
   Problem millimetres = metres;
   millimetres.lower *= 1024;  // a power of two keeps every digit
@@ -109,8 +113,8 @@ TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
     d.gradient /= 1024;
     return d;
   };
-  const RunRecord a = run(metres, named(GetParam()), {40}, 0);
-  const RunRecord b = run(millimetres, named(GetParam()), {40}, 0);
+  const RunRecord a = run(metres, solver, {40}, 0);
+  const RunRecord b = run(millimetres, solver, {40}, 0);
   ASSERT_EQ(a.trace.size(), b.trace.size());
   EXPECT_EQ(a.trace.back().true_values.objective, b.trace.back().true_values.objective);
 }

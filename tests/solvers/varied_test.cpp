@@ -80,13 +80,13 @@ bool is_ipopt(const AdjustableSolver& solver) {
 
 /// Whether any of these values makes any run another one.
 bool changes_a_run(const AdjustableSolver& solver, const std::string& option,
-                   const std::vector<double>& values) {
+                   const std::vector<OptionValue>& values) {
   constexpr std::int64_t long_enough = 3000;  // for some generations
   const Solver own = plain(solver.name);
   for (const Problem& problem : problems()) {
     if (!own.accepts(problem)) continue;
     const auto usual = trail(problem, own, long_enough);
-    for (const double value : values) {
+    for (const OptionValue& value : values) {
       try {
         if (trail(problem, with(solver, option, value), long_enough) != usual) return true;
       } catch (const InputError&) {
@@ -98,8 +98,9 @@ bool changes_a_run(const AdjustableSolver& solver, const std::string& option,
 }
 
 /// Some that are allowed and cost little.
-std::vector<double> values_for(const SolverOption& option) {
-  std::vector<double> values;
+std::vector<OptionValue> values_for(const SolverOption& option) {
+  if (!option.words.empty()) return {option.words.begin(), option.words.end()};
+  std::vector<OptionValue> values;
   for (const double value :
        {option.range.least, option.range.most, std::sqrt(option.range.least * option.range.most),
         1.0, 2.0, 3.0, 20.0, 30.0, 0.5, 0.9, 0.3, 0.1, 0.01}) {

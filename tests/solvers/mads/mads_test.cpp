@@ -22,7 +22,7 @@ class Mads : public testing::TestWithParam<Settings> {
 
 double Mads::end_of(const Problem& problem, std::uint64_t seed) {
   Scorer scorer(problem);
-  Evaluator evaluator(problem, {20'000}, &scorer);
+  Evaluator evaluator(problem, {50'000}, &scorer);
   Random random(seed);
   const SolverTermination exit = mads(GetParam()).solve(evaluator, problem.start, random);
   EXPECT_EQ(exit.reason, "the mesh is fine") << problem.name;
@@ -57,9 +57,14 @@ TEST_P(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
 }
 
 TEST_P(Mads, FindsPointsOnAnArc) {
-  const RunRecord record = run(arc(), mads(GetParam()), {5000}, 0);
-  EXPECT_EQ(record.trace.back().true_values.violation, 0);
-  EXPECT_LE(record.trace.back().true_values.objective, -1);
+  int found = 0, good = 0;
+  for (int number = 0; number < 10; ++number) {
+    const TrueValues end = run(arc(), mads(GetParam()), {5000}, number).trace.back().true_values;
+    found += end.violation == 0 ? 1 : 0;
+    good += end.violation == 0 && end.objective <= -1 ? 1 : 0;
+  }
+  EXPECT_GE(found, 6) << "an equation to 1e-6";
+  EXPECT_GE(good, 3);
 }
 
 /// The largest x + y on [0, 10]^2 at which a count, floor(x) + floor(2 y), is at most 7. With a

@@ -209,7 +209,7 @@ LeastSquaresOptions own_least_squares_options() {
 /// What a plan may change.
 struct TrustRegionOptions {
   LeastSquaresOptions ceres = own_least_squares_options();
-  Coordinates coordinates = Coordinates::own;
+  Coordinates coordinates = Coordinates::unit;  ///< in own ones it depends on the residuals' unit
 };
 
 template <class Visit, IsOf<TrustRegionOptions>... O>

@@ -52,7 +52,7 @@ inline constexpr Capabilities ceres_lbfgs_capabilities = {.derivatives =
 /// "line_search_sufficient_curvature_decrease", and "coordinates".
 AdjustableSolver adjustable_ceres_lbfgs();
 
-/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the problem's own coordinates,
+/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the unit cube,
 /// with dense QR decomposition, in one thread. Ends at once if the residuals at the start are not
 /// finite. Ceres projects its steps onto the box and can stop short of an optimum on a bound:
 /// https://github.com/ceres-solver/ceres-solver/issues/187.

@@ -26,6 +26,10 @@ class RunOver(BaseException):
     """The budget is spent. SciPy catches exceptions, but not this one."""
 
 
+class NotFinite(BaseException):
+    """A derivative is not finite: this start is at its end."""
+
+
 class Problem:
     """A problem in the coordinates whose box has a width, for some solvers need one."""
 
@@ -55,15 +59,21 @@ class Problem:
     def objective(self, x):
         return self._at(x, "objective").item()
 
+    def _slopes(self, x, key):
+        slopes = self._at(x, key)
+        if not np.isfinite(slopes).all():
+            raise NotFinite
+        return slopes
+
     def gradient(self, x):
-        return self._at(x, "gradient")[self.free]
+        return self._slopes(x, "gradient")[self.free]
 
     def constraints(self, x):
         """Equalities, which must be 0, first; the others must be <= 0."""
         return self._at(x, "constraints")
 
     def jacobian(self, x):
-        return self._at(x, "jacobian")[:, self.free]
+        return self._slopes(x, "jacobian")[:, self.free]
 
 
 def finite_or_worst(numbers):
@@ -148,6 +158,8 @@ def converse(lines):
             say({"done": message, "point": problem.inside(result.x)})
         except RunOver:
             say({"done": "stopped"})
+        except NotFinite:
+            say({"done": "a number is not finite"})
         except Exception as error:  # SciPy refuses to go on
             say({"done": f"{type(error).__name__}: {error}"})
 

@@ -55,7 +55,9 @@ def compared(of, base, chosen=""):
 
 
 def ratio(found):
-    return f"{found[2]:.2f} (p = {found[3]:.3f})" if found else ""
+    if not found:
+        return ""
+    return f"{found[2]:.2f} ({'p < 0.001' if found[3] < 0.001 else f'p = {found[3]:.3f}'})"
 
 
 runs = read(sys.argv[1:])

@@ -52,7 +52,8 @@ TEST(Description, CompletesNamesOfProblemsSolversPlansAndCases) {
   EXPECT_EQ(completed_by_bash("ricochet evaluate hs-71", 2), "hs-71,");
   EXPECT_EQ(completed_by_bash("ricochet compare --problems top-speed-C12", 3), "top-speed-C12,");
   EXPECT_EQ(completed_by_bash("ricochet compare --solvers random-sear", 3), "random-search,");
-  EXPECT_EQ(completed_by_bash("ricochet compare --solver ma", 3), "mads,machine one.toml,");
+  EXPECT_EQ(completed_by_bash("ricochet compare --solver ma", 3),
+            "mads,mads-tuned,machine one.toml,");
   EXPECT_EQ(completed_by_bash("ricochet list problems --family top-s", 4), "top-speed,");
   EXPECT_EQ(completed_by_bash("ricochet list problems --solver-accepts random-sear", 4),
             "random-search,");

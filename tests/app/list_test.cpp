@@ -63,7 +63,7 @@ TEST(List, HasTheProblemsOfAMachineWithSettings) {
 
 TEST(List, HasTheSolversWithTheirVersions) {
   const auto solvers = listed("solvers");
-  EXPECT_EQ(solvers.size(), 62U);
+  EXPECT_EQ(solvers.size(), 71U);
   for (const auto& solver : solvers) EXPECT_NE(solver["version"], "") << solver["solver"];
 }
 

@@ -140,6 +140,20 @@ Perturbation frozen_noise();
 /// here problems have values of any size.
 Perturbation outliers();
 
+/// Noise of BBOB's noisy functions (Hansen, Finck, Ros and Auger, INRIA RR-6869 (2009), "severe"),
+/// independent at every call, on the gap g between the objective and the problem's best value,
+/// unless g < 1e-8, where nothing changes; 1.01e-8 is added. Constraints are shown as they are,
+/// residuals so that half their sum of squares is the objective shown; slopes take the factor. For
+/// problems whose best value is known.
+/// Gaussian: g becomes g exp(xi), xi standard normal.
+Perturbation bbob_gaussian();
+
+/// g becomes g u max(1, (1e9 / g)^((0.49 + 1/n) v)), u and v uniform in [0, 1), n variables.
+Perturbation bbob_uniform();
+
+/// g becomes g + max(0, 1000 + c), where c is standard Cauchy with probability 0.2, and 0 else.
+Perturbation bbob_cauchy();
+
 /// With probability 0.05, drawn independently at every call, a function fails: its value and all
 /// its slopes are NaN. The objective and each constraint fail separately, all residuals together;
 /// the Hessian of the Lagrangian fails in the same way.

@@ -270,6 +270,104 @@ class Telling : public PerturbedCalls {
 
 }  // namespace
 
+namespace {
+
+/// What noise makes of an optimality gap: the gap times a factor, plus an addend.
+struct Noise {
+  double factor = 1, addend = 0;
+};
+using NoiseModel = Noise (*)(double gap, double variables, Draws& draws);
+
+Noise gaussian_noise(double, double, Draws& draws) {
+  return {std::exp(draws.normal())};
+}
+
+Noise uniform_noise(double gap, double variables, Draws& draws) {
+  const double least = draws.uniform();
+  const double exponent = (0.49 + 1 / variables) * draws.uniform();
+  return {least * std::max(1.0, std::pow(1e9 / gap, exponent))};
+}
+
+Noise cauchy_noise(double, double, Draws& draws) {
+  const double outlier = draws.uniform() < 0.2 ? draws.cauchy() : 0;
+  return {1, std::max(0.0, 1000 + outlier)};
+}
+
+/// Noise on the objective alone, another at every call.
+class NoisyGap : public PerturbedCalls {
+ public:
+  NoisyGap(NoiseModel model, std::uint64_t key) : model_(model), key_(key) {}
+
+  Values values(const Problem& shown, const Vector& x) override {
+    Values told = shown.evaluate(x);
+    add_noise_to(told, shown);
+    return told;
+  }
+  Derivatives derivatives(const Problem& shown, const Vector& x) override {
+    Derivatives told = shown.differentiate(x);
+    told.gradient *= add_noise_to(told.values, shown);
+    return told;
+  }
+  Residuals residuals(const Problem& shown, const Vector& x) override {
+    Residuals told = shown.residuals(x);
+    Values values{told.values.squaredNorm() / 2, {}};
+    const double objective = values.objective;
+    add_noise_to(values, shown);
+    const double scale = objective > 0 ? std::sqrt(values.objective / objective) : 1;
+    told.values *= scale;
+    told.jacobian *= scale;
+    return told;
+  }
+  Matrix hessian(const Problem& shown, const Vector& x, double objective_factor,
+                 const Vector& multipliers) override {
+    Values values = shown.evaluate(x);
+    const double factor = add_noise_to(values, shown);
+    return shown.lagrangian_hessian(x, objective_factor * factor, multipliers);
+  }
+
+ private:
+  /// Returns the factor.
+  double add_noise_to(Values& told, const Problem& shown) {
+    constexpr double solved = 1e-8;
+    Draws draws(key_of(key_, calls_++));
+    const double gap = told.objective - shown.best_known.value();
+    if (!(gap >= solved)) return 1;
+    const Noise noise = model_(gap, static_cast<double>(shown.dimension()), draws);
+    told.objective += (noise.factor - 1) * gap + noise.addend + 1.01 * solved;
+    return noise.factor;
+  }
+
+  NoiseModel model_;
+  std::uint64_t key_;
+  std::uint64_t calls_ = 0;
+};
+
+Perturbation noise_of_bbob(const std::string& name, const std::string& effect, NoiseModel model) {
+  return {name, "the optimality gap told is " + effect + ", another at every call",
+          [](const Problem& problem) { return problem.best_known.has_value(); },
+          [name, model](const Problem& shown, std::uint64_t seed) {
+            return perturbed_by(std::make_shared<NoisyGap>(model, key_of(seed, name)), shown);
+          }};
+}
+
+}  // namespace
+
+Perturbation bbob_gaussian() {
+  return noise_of_bbob("bbob-gaussian", "multiplied by exp of a normal number", gaussian_noise);
+}
+
+Perturbation bbob_uniform() {
+  return noise_of_bbob("bbob-uniform",
+                       "multiplied by two uniform powers, of which one grows near the best value",
+                       uniform_noise);
+}
+
+Perturbation bbob_cauchy() {
+  return noise_of_bbob("bbob-cauchy",
+                       "increased by 1000, and by a Cauchy number with probability 0.2",
+                       cauchy_noise);
+}
+
 Problem told_by(const Tell& tell, Drawn drawn, std::uint64_t key, const Problem& shown) {
   return perturbed_by(std::make_shared<Telling>(tell, drawn, key), shown);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
@@ -150,6 +151,80 @@ TEST(Outliers, StayWhereTheyAreAndTakeTheGradientWithThem) {
     hit += d.values.objective != 0 && d.values.constraints[0] != 0;
   }
   EXPECT_NEAR(hit, 40, 5 * std::sqrt(40)) << "objective and constraint, each by itself";
+}
+
+/// What a noise of BBOB's makes of the optimality gap of a problem of two variables, call by call.
+std::vector<double> noisy_gaps(const Perturbation& perturbation, double gap) {
+  Problem problem = constant(gap + 7);
+  problem.best_known = 7;
+  const Problem told = perturbation.perturbed(problem, 5);
+  std::vector<double> gaps;
+  for (int k = 0; k < size; ++k) {
+    gaps.push_back(told.evaluate(problem.start).objective - 7 - 1.01e-8);
+  }
+  return gaps;
+}
+
+/// The mean of the numbers and the mean of their squares.
+template <class Function>
+std::pair<double, double> moments(const std::vector<double>& numbers, const Function& function) {
+  double mean = 0, square = 0;
+  for (const double number : numbers) {
+    mean += function(number) / size;
+    square += std::pow(function(number), 2) / size;
+  }
+  return {mean, square};
+}
+
+TEST(NoiseOfBbob, IsOfThePublishedModels) {
+  const auto logarithm = [](double gap) { return std::log(gap); };
+  const auto [mean, square] = moments(noisy_gaps(bbob_gaussian(), 1), logarithm);
+  EXPECT_NEAR(mean, 0, 5 / std::sqrt(size));
+  EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / size));
+  // Far from the best value one uniform factor is left: of mean 1/2, and 1/3 for its square.
+  const auto [far, far_square] =
+      moments(noisy_gaps(bbob_uniform(), 1e9), [](double gap) { return gap / 1e9; });
+  EXPECT_NEAR(far, 0.5, 5 / std::sqrt(12.0 * size));
+  EXPECT_NEAR(far_square, 1.0 / 3, 5 * 0.3 / std::sqrt(size));
+  // At a gap of 1 the logarithm is that of a uniform number, and a uniform number in [0, s).
+  const double s = (0.49 + 0.5) * std::log(1e9);
+  const auto [near, near_square] = moments(noisy_gaps(bbob_uniform(), 1), logarithm);
+  EXPECT_NEAR(near, s / 2 - 1, 5 * s / std::sqrt(12.0 * size));
+  EXPECT_NEAR(near_square - near * near, 1 + s * s / 12, 5 * s * s / 12 / std::sqrt(size));
+  int outliers = 0, beyond = 0;
+  for (const double gap : noisy_gaps(bbob_cauchy(), 3)) {
+    EXPECT_GE(gap, 3 - 1e-8);
+    outliers += std::abs(gap - 1003) > 1e-8;
+    beyond += std::abs(gap - 1003) > 1;  // half of all Cauchy numbers
+  }
+  EXPECT_NEAR(outliers, 0.2 * size, 5 * std::sqrt(0.16 * size));
+  EXPECT_NEAR(beyond, outliers / 2.0, 5 * std::sqrt(outliers / 4.0));
+}
+
+TEST(NoiseOfBbob, LeavesSolvedPointsAlone) {
+  for (const Perturbation& noise : {bbob_gaussian(), bbob_uniform(), bbob_cauchy()}) {
+    EXPECT_NEAR(noisy_gaps(noise, 5e-9).front() + 1.01e-8, 5e-9, 1e-14) << noise.name;
+    EXPECT_FALSE(noise.applies(constant(1))) << "no best value is known";
+  }
+}
+
+TEST(NoiseOfBbob, IsOfOneKindForObjectiveResidualsAndSlopes) {
+  for (const Problem& problem : random_problems()) {
+    for (const Perturbation& noise : {bbob_gaussian(), bbob_uniform()}) {
+      const Derivatives plain = problem.differentiate(problem.start);
+      const Problem told = noise.perturbed(problem, 2);
+      const Derivatives noisy = told.differentiate(problem.start);
+      const double factor = (noisy.values.objective - 1.01e-8) / plain.values.objective;
+      EXPECT_NE(factor, 1);
+      EXPECT_TRUE(noisy.gradient.isApprox(factor * plain.gradient, 1e-6)) << noise.name;
+      EXPECT_EQ(noisy.values.constraints, plain.values.constraints);
+      // Another object makes the same draws for its first call.
+      const Problem again = noise.perturbed(problem, 2);
+      const Residuals residuals = again.residuals(problem.start);
+      EXPECT_NEAR(residuals.values.squaredNorm() / 2, noisy.values.objective,
+                  1e-9 * noisy.values.objective);
+    }
+  }
 }
 
 }  // namespace

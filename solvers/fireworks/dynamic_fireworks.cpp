@@ -88,7 +88,7 @@ Solver dynamic_fireworks(std::string name, const DynamicFireworksOptions& option
 }
 
 BareBonesFireworksOptions tuned_options() {
-  return {.sparks = 10, .neutral_moves = true};
+  return {.sparks = 2, .steps = {.decline = 0.8}, .neutral_moves = true};
 }
 
 namespace {

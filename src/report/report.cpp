@@ -54,17 +54,14 @@ void add_made(const Json& made, Results& results) {
   }
 }
 
-/// Whether a report's data are of this program, or may lack what its pages ask for.
-enum class Age { new_one, may_be_older };
-
 /// `made`: how the report was made. Its pages say so at their foot, for tables of seconds need it,
 /// and below the title if that was not on this machine.
-WrittenReport draw_page(const Json& data, const Json& made, const fs::path& folder, Age age) {
+WrittenReport draw_page(const Json& data, const Json& made, const fs::path& folder) {
   PageSource page = page_source(page_template(data.at("report").get<std::string>()));
   Results results = results_in(data);
-  results.open = age == Age::may_be_older;
   add_made(made, results);
   if (made.value("reference", false)) {
+    results.open = true;  // it may be older than this program's pages
     const std::size_t title = page.text.find('\n', page.text.find("# "));
     page.text.insert(
         std::min(title, page.text.size()),
@@ -99,7 +96,7 @@ std::vector<std::string> pages_of(const Json& data) {
 }
 
 /// `made`: how the report was made to which this further page belongs.
-WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& folder, Age age) {
+WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& folder) {
   const fs::path file = from / data_file;
   const std::string text = text_of_file(file);
   std::vector<std::string> failures;
@@ -108,10 +105,10 @@ WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& fol
     Json own = made;
     own.update(data.value("made", Json::object()));
     for (const std::string& name : pages_of(data)) {
-      const WrittenReport further = redraw(from / name, own, below(folder, name), age);
+      const WrittenReport further = redraw(from / name, own, below(folder, name));
       failures.insert(failures.end(), further.failures.begin(), further.failures.end());
     }
-    WrittenReport written = draw_page(data, own, folder, age);
+    WrittenReport written = draw_page(data, own, folder);
     for (std::string& line : written.failures) line = file.string() + ": " + line;
     written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
     return written;
@@ -131,11 +128,11 @@ WrittenReport redraw(const fs::path& from, const Json& made, const fs::path& fol
 WrittenReport write_report(const Json& data, const fs::path& folder) {
   write_data(data, folder);
   // The report is drawn from the data as they were stored, not as they were computed.
-  return redraw(folder, Json::object(), folder, Age::new_one);
+  return redraw_report(folder, folder);
 }
 
 WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
-  return redraw(from, Json::object(), folder, Age::may_be_older);
+  return redraw(from, Json::object(), folder);
 }
 
 std::string page_template(const std::string& name) {

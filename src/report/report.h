@@ -24,8 +24,7 @@ struct [[nodiscard]] WrittenReport {
 WrittenReport write_report(const Json& data, const std::filesystem::path& folder);
 
 /// Draws the report of a folder again from its data.json, with its further pages, into another
-/// folder or the same. Data of an older version may lack what the pages ask for: it is left empty.
-/// Throws InputError if data.json is missing or does not hold a report's data.
+/// folder or the same. Throws InputError if data.json is missing or does not hold a report's data.
 WrittenReport redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder);
 
 /// A kind of report that a site shows, by the keys of its page.

@@ -43,6 +43,18 @@ double rounded(double seconds) {
   return std::round(seconds / unit) * unit;
 }
 
+constexpr int bits_on_the_way = 6, bits_at_the_end = 20;
+
+/// An objective that does not solve the problem, rounded up to so many bits of its optimality gap;
+/// another one as it is.
+double rounded_up(double objective, const StoredProblem& problem, int bits) {
+  const double gap = objective - problem.best_known;
+  if (!(gap > problem.tolerance) || !std::isfinite(gap)) return objective;
+  const double unit = std::ldexp(1.0, std::ilogb(gap) - bits);
+  const double rounded = std::ceil(objective / unit) * unit;
+  return std::isfinite(rounded) ? rounded : objective;
+}
+
 std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredProblem& problem,
                                  const std::optional<ReturnedPoint>& returned) {
   std::vector<Improvement> kept;
@@ -69,8 +81,7 @@ std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredPro
     step.seconds = solves ? rounded(step.seconds) : 0;
     const bool on_the_way = !solves && !returns && k + 1 < trace.size();
     double& objective = step.true_values.objective;
-    const bool fits = std::abs(objective) < std::numeric_limits<float>::max();
-    if (on_the_way && fits) objective = static_cast<float>(objective);
+    objective = rounded_up(objective, problem, on_the_way ? bits_on_the_way : bits_at_the_end);
     kept.push_back(std::move(step));
   }
   return kept;
@@ -88,7 +99,11 @@ RunRecord thinned(RunRecord record, const StoredProblem& problem) {
   record.seed = 0;
   record.ledger.seconds = rounded(record.ledger.seconds);
   record.trace = thinned(std::move(record.trace), problem, record.returned);
-  if (record.returned) record.returned->x = Vector();
+  if (record.returned) {
+    double& objective = record.returned->true_values.objective;
+    objective = rounded_up(objective, problem, bits_at_the_end);
+    record.returned->x = Vector();
+  }
   return record;
 }
 

@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -71,9 +75,37 @@ TEST(Archive, KeepsTheFirstAsGoodAsTheReturnedPoint) {
   EXPECT_EQ(thin.returned->true_values.objective, 9.5);
 }
 
-TEST(Archive, KeepsValuesThatAreTooLargeForSevenDigits) {
-  EXPECT_THAT(objectives_of(thinned(record_of({1e300, 1.9, 1.3}), problem_of(1, 0))),
-              ElementsAre(1e300, static_cast<float>(1.9), 1.3));
+TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
+  std::mt19937_64 random(1);
+  std::lognormal_distribution<double> gaps(0, 5);
+  for (int k = 0; k < 1000; ++k) {
+    const double best = k % 2 == 0 ? 0 : gaps(random);
+    std::vector<double> objectives;
+    for (int step = 0; step < 9; ++step) objectives.push_back(best + gaps(random));
+    std::ranges::sort(objectives, std::greater());
+    RunRecord record = record_of(objectives);
+    record.returned = ReturnedPoint{Vector::Ones(2), {objectives[4], 0.0}};
+    const StoredProblem problem = problem_of(best, 1e-6);
+    const RunRecord thin = thinned(record, problem);
+    for (const Improvement& step : thin.trace) {
+      const double before = objectives[static_cast<std::size_t>(step.evaluations) - 1];
+      const double after = step.true_values.objective;
+      const bool at_the_end = step.evaluations == 9 || before == objectives[4];
+      EXPECT_GE(after, before);
+      EXPECT_LE(after - before, (before - best) * (at_the_end ? 2e-6 : 0.04));
+      EXPECT_TRUE(before - best > 1e-6 || after == before);
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(objectives_of(thin), std::greater()));
+    const double returned = thin.returned->true_values.objective;
+    EXPECT_NEAR(returned, objectives[4], 2e-6 * (objectives[4] - best));
+    EXPECT_EQ(std::ranges::count(objectives_of(thin), returned), 1) << "the first as good stays";
+  }
+}
+
+TEST(Archive, KeepsValuesThatAreTooLargeToRound) {
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_THAT(objectives_of(thinned(record_of({largest, 1.5, 1.25}), problem_of(1, 0))),
+              ElementsAre(largest, 1.5, 1.25));
 }
 
 TEST(Archive, KeepsTheFirstFeasiblePoint) {

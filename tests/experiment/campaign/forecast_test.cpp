@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -57,9 +58,18 @@ TEST(Forecast, HasItsShareForEveryRun) {
 }
 
 TEST(Forecast, HasEveryEvaluationThatTheScorerMakes) {
-  const std::string rest = "budgets = 100\ninstances = 10\nperturbations = ";
-  const double plain = foretold(5e-4, 0, rest + "\"plain\"").runs;
-  const double noisy = foretold(5e-4, 0, rest + "\"noisy\"").runs;
+  // The least of three: other work of the machine only adds.
+  const auto least = [](const std::string& perturbation) {
+    double seconds = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      const Forecast forecast = foretold(
+          5e-4, 0, "budgets = 100\ninstances = 10\nperturbations = \"" + perturbation + "\"");
+      seconds = std::min(seconds, forecast.runs);
+    }
+    return seconds;
+  };
+  const double plain = least("plain");
+  const double noisy = least("noisy");
   EXPECT_GT(noisy, 1.6 * plain);
   EXPECT_LT(noisy, 2.4 * plain);
 }

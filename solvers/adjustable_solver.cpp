@@ -65,7 +65,7 @@ void add(std::vector<AdjustableSolver>& all, std::vector<AdjustableSolver> more)
 
 std::vector<AdjustableSolver> adjustable_solvers() {
   std::vector<AdjustableSolver> all = fireworks::adjustable_family();
-  for (AdjustableSolver& solver : adjustable_mads()) all.push_back(std::move(solver));
+  add(all, adjustable_mads());
   add(all, adjustable_nlopt());
 #ifdef RICOCHET_HAS_IPOPT
   add(all, adjustable_ipopt());

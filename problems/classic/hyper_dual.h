@@ -95,12 +95,6 @@ inline HyperDual cbrt(const HyperDual& x) {
   const double slope = root / (3 * x.value);
   return x.chained(root, slope, -2 * slope / (3 * x.value));
 }
-inline HyperDual floor(const HyperDual& x) {
-  return std::floor(x.value);
-}
-inline bool isfinite(const HyperDual& x) {
-  return std::isfinite(x.value);
-}
 
 }  // namespace ricochet::classic
 

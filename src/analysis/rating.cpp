@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -21,19 +20,6 @@ namespace ricochet::comparison {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Positions on the axis of evaluations for each variable, from 1 up to the budget, which is one.
-std::vector<double> places(double budget) {
-  std::vector<double> all;
-  constexpr int of_a_decade = 6;
-  for (int k = 0;; ++k) {
-    const double place = std::pow(10.0, k / static_cast<double>(of_a_decade));
-    if (place > budget * 0.9999) break;
-    all.push_back(place);
-  }
-  all.push_back(budget);
-  return all;
-}
 
 /// Evaluations for each variable until each target of the problem was reached, over all runs;
 /// infinite if it never was.
@@ -134,12 +120,11 @@ Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comp
     rating.found += found / all;
     rating.returned += returned / all;
   }
-  for (const double place : places(static_cast<double>(comparison.part->budgets[budget]))) {
+  for (const double place :
+       evaluation_places(static_cast<double>(comparison.part->budgets[budget]))) {
     const auto share = empirical_distribution(times, place, clusters);
     rating.progress.push_back({place, share.mean, share.interval});
   }
-  rating.clusters =
-      static_cast<int>(std::set<std::string>(clusters.begin(), clusters.end()).size());
   return rating;
 }
 
@@ -161,6 +146,18 @@ void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::
 }
 
 }  // namespace
+
+std::vector<double> evaluation_places(double budget) {
+  std::vector<double> all;
+  constexpr int of_a_decade = 6;
+  for (int k = 0;; ++k) {
+    const double place = std::pow(10.0, k / static_cast<double>(of_a_decade));
+    if (place > budget * 0.9999) break;
+    all.push_back(place);
+  }
+  all.push_back(budget);
+  return all;
+}
 
 RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
                              std::size_t budget) {

@@ -22,13 +22,16 @@ struct Reach {
   Interval interval;
 };
 
+/// Where the progress of an entry is looked at: evaluations for each variable, six in a decade from
+/// 1 on, and the budget.
+std::vector<double> evaluation_places(double budget);
+
 /// The results of one entry on a group of problems with one budget.
 struct Rating {
   std::string solver;
   std::string formulation;
   bool surrogate = false;  ///< it saw a surrogate: which evaluated point is best it could not know
   int problems = 0;        ///< number of problems that the solver takes in this formulation
-  int clusters = 0;        ///< of these problems
   int never = 0;           ///< number of these that no run solved
   double found = 0;        ///< success rate by the best evaluated points, mean over the problems
   double returned = 0;     ///< the same by the returned points

@@ -149,9 +149,7 @@ Comparison comparison_of(const Campaign& campaign, const std::vector<CellResult>
     const bool asked =
         std::find(cell.parts.begin(), cell.parts.end(), conditions.part) != cell.parts.end() &&
         cell.cell.perturbation == conditions.perturbation &&
-        std::ranges::find(cell.gradient_prices, conditions.gradient_price) !=
-            cell.gradient_prices.end() &&
-        conditions.run < cell.seeds;
+        cell.is_at_price(conditions.gradient_price) && conditions.run < cell.seeds;
     if (!asked) continue;
     comparison.results.push_back({&cell,
                                   result.outcomes.every(static_cast<std::size_t>(cell.seeds),

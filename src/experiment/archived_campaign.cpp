@@ -76,9 +76,7 @@ void keep_problems(Plan& plan, const CampaignDescription& archive,
     std::vector<std::string> kept;
     for (const StoredProblem& problem : archive.problems) {
       const bool asked = fits_any(problem.name, part.problems) &&
-                         part.least_variables <= problem.variables &&
-                         problem.variables <= part.most_variables &&
-                         (!part.constrained || *part.constrained == (problem.constraints > 0));
+                         part.takes(problem.variables, problem.constraints);
       if (asked && fits_any(problem.name, patterns)) kept.push_back(problem.name);
     }
     part.problems = std::move(kept);

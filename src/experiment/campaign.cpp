@@ -130,10 +130,7 @@ void add_once(std::vector<Entry>& entries, const Entry& entry) {
 }
 
 bool asks_for(const PlanPart& part, const Problem& problem) {
-  const std::int64_t n = problem.dimension();
-  return is_chosen(problem, part.problems) && n >= part.least_variables &&
-         n <= part.most_variables &&
-         (!part.constrained || *part.constrained == (problem.constraints > 0));
+  return is_chosen(problem, part.problems) && part.takes(problem.dimension(), problem.constraints);
 }
 
 /// `own_texts`: the text of each user's solver in the plan, by its name.

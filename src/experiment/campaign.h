@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -49,6 +50,10 @@ struct PlannedCell {
   std::vector<std::size_t> parts;  ///< parts of the plan that contain this cell
   /// The prices of a gradient, as the plan names them, at which its runs are what they are.
   std::vector<std::string> gradient_prices;
+
+  bool is_at_price(const std::string& price) const {
+    return std::ranges::find(gradient_prices, price) != gradient_prices.end();
+  }
 };
 
 /// A plan with all data for carrying it out.

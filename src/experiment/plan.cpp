@@ -17,6 +17,11 @@
 
 namespace ricochet {
 
+bool PlanPart::takes(std::int64_t variables, std::int64_t constraints) const {
+  return least_variables <= variables && variables <= most_variables &&
+         (!constrained || *constrained == (constraints > 0));
+}
+
 template <class Visit, IsOf<Limits>... L>
 void visit_fields(const Visit& visit, L&... l) {
   using enum Presence;

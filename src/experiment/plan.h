@@ -53,6 +53,9 @@ struct PlanPart {
   int instances = 15;                                  ///< 1, 2, ...
   int seeds = 1;                                       ///< number of runs on every instance
 
+  /// Returns true if it asks for problems of so many variables and constraints.
+  bool takes(std::int64_t variables, std::int64_t constraints) const;
+
   bool operator==(const PlanPart&) const = default;
 };
 

@@ -175,7 +175,6 @@ report::Part precision_part(const std::string& family, std::int64_t budget,
   const auto times_of = [p](const Runs& runs) -> const std::vector<double>& {
     return runs.times[p];
   };
-  const double end = static_cast<double>(budget);
   std::vector<MeanShare> shares;
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -197,11 +196,7 @@ report::Part precision_part(const std::string& family, std::int64_t budget,
     table.add(one.solver, one.formulation, one.problems.size(), shares[k].mean,
               shares[k].interval.lower, shares[k].interval.upper);
   }
-  std::vector<double> positions;
-  for (int k = 0; std::pow(10, k / 6.0) < end * 0.9999; ++k) {
-    positions.push_back(std::pow(10, k / 6.0));
-  }
-  positions.push_back(end);
+  const std::vector<double> positions = evaluation_places(static_cast<double>(budget));
   Chart chart{.name = fmt::format("data-profile-{}", precisions[p].id),
               .title = fmt::format("{}: a share of {} of the start's gap is left", family,
                                    precisions[p].id),

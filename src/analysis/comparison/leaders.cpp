@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "src/analysis/comparison/reported_part.h"
+#include "src/analysis/comparison/shares.h"
 #include "src/analysis/comparison/solver_pages.h"
 #include "src/analysis/results.h"
 #include "src/analysis/statistics/intervals.h"
@@ -42,18 +42,32 @@ std::optional<double> random_search_time(const Comparison& comparison, const Gro
   return times.empty() ? std::optional<double>() : quantile(std::move(times), 0.5);
 }
 
-/// Nothing for a problem that tells something.
-std::optional<Silence> silence_of(const Comparison& comparison, std::size_t problem) {
-  if (tries_on(comparison, problem).solved == 0) return Silence::unsolved;
-  const auto random = comparison::random_search_time(comparison, problem);
-  if (random && *random <= easy_for_random_search) return Silence::easy;
-  return {};
+/// What the runs with the largest budget say of a problem, and whether it tells nothing.
+struct Telling {
+  Tries tries;
+  std::optional<double> random;      ///< evaluations of random search
+  std::optional<Silence> silence{};  ///< nothing for a problem that tells something
+};
+
+Telling telling_of(const Comparison& comparison, std::size_t problem) {
+  Telling told{tries_on(comparison, problem), comparison::random_search_time(comparison, problem)};
+  if (told.tries.solved == 0) {
+    told.silence = Silence::unsolved;
+  } else if (told.random && *told.random <= easy_for_random_search) {
+    told.silence = Silence::easy;
+  }
+  return told;
+}
+
+std::vector<std::string> cluster_names(const Campaign& campaign,
+                                       const std::vector<std::size_t>& problems) {
+  std::vector<std::string> names;
+  for (const std::size_t q : problems) names.push_back(cluster_of(campaign.problems()[q]));
+  return names;
 }
 
 std::size_t clusters_in(const Campaign& campaign, const std::vector<std::size_t>& problems) {
-  std::set<std::string> clusters;
-  for (const std::size_t q : problems) clusters.insert(cluster_of(campaign.problems()[q]));
-  return clusters.size();
+  return places_by_cluster(cluster_names(campaign, problems)).size();
 }
 
 const std::vector<Column> columns_by_differences = {
@@ -101,7 +115,7 @@ void set_silent(const Campaign& campaign, const std::vector<CellResult>& results
     for (const Group& group : groups_of(comparison)) {
       std::map<std::size_t, Silence> silent;
       for (const std::size_t q : group.problems) {
-        if (const auto silence = silence_of(comparison, q)) silent[q] = *silence;
+        if (const auto silence = telling_of(comparison, q).silence) silent[q] = *silence;
       }
       if (silent.size() < group.problems.size()) part.silent.merge(silent);
     }
@@ -125,13 +139,13 @@ Table silent_table(const Campaign& campaign, const std::vector<CellResult>& resu
     for (const Group& group : groups_of(comparison)) {
       if (part.asked_again.contains(group.family)) continue;
       for (const std::size_t q : group.problems) {
-        if (!silence_of(comparison, q)) continue;
+        const Telling told = telling_of(comparison, q);
+        if (!told.silence) continue;
         const Problem& problem = campaign.problems()[q];
-        const Tries tries = tries_on(comparison, q);
-        table.add(part.families.at(group.family), problem.name, problem.dimension(), tries.entries,
-                  tries.runs, tries.solved == 0,
-                  value_of(comparison::random_search_time(comparison, q)),
-                  tries.gap / std::max(problem.tolerance, 1e-12), part.silent.contains(q));
+        table.add(part.families.at(group.family), problem.name, problem.dimension(),
+                  told.tries.entries, told.tries.runs, told.silence == Silence::unsolved,
+                  told.random, told.tries.gap / std::max(problem.tolerance, 1e-12),
+                  part.silent.contains(q));
       }
     }
   }
@@ -218,29 +232,25 @@ struct Subset {
 /// A way to divide a family.
 using Division = std::vector<Subset>;
 
-std::string variables_in_words(Eigen::Index least, Eigen::Index most) {
-  if (least == most) return fmt::format("{} variable{}", least, least == 1 ? "" : "s");
-  return fmt::format("{} to {} variables", least, most);
-}
-
 /// Every number of variables apart, or, of many, ranges that double: 2, 3 to 4, 5 to 8 and so on.
-Division by_variables(const std::vector<Problem>& problems, const Group& group) {
+Division by_variables(const Campaign& campaign, const Group& group) {
   constexpr std::size_t few = 4;
   std::map<Eigen::Index, std::vector<std::size_t>> by_number;
-  for (const std::size_t q : group.problems) by_number[problems[q].dimension()].push_back(q);
+  for (const std::size_t q : group.problems) {
+    by_number[campaign.problems()[q].dimension()].push_back(q);
+  }
   Division division;
-  Eigen::Index end = 0, least = 0;
+  Eigen::Index end = 0;
   for (const auto& [variables, of_number] : by_number) {
     if (by_number.size() <= few || variables > end) {
       end = 1;
       while (end < variables) end *= 2;
-      least = variables;
       division.emplace_back();
     }
-    Subset& subset = division.back();
-    subset.name = variables_in_words(least, variables);
-    subset.problems.insert(subset.problems.end(), of_number.begin(), of_number.end());
+    auto& problems = division.back().problems;
+    problems.insert(problems.end(), of_number.begin(), of_number.end());
   }
+  for (Subset& subset : division) subset.name = variables_of(campaign, subset.problems);
   return division;
 }
 
@@ -314,6 +324,7 @@ void add_division(Table& table, const RatedPart& part, std::size_t g, const Divi
   for (const Subset& subset : division) {
     if (subset.problems.empty()) return;
     all.push_back({&subset, rated(part.comparison, subset), rated(part.by_differences, subset)});
+    if (all.back().usual.empty()) return;  // it has too few instances for this division
     differs |=
         first_solver(all.back().usual) != first ||
         (part.by_differences && first_solver(all.back().by_differences) != first_by_differences);
@@ -349,7 +360,7 @@ Table subset_table(const std::vector<RatedPart>& parts) {
   each_group(parts, [&](const RatedPart& part, std::size_t g) {
     const Campaign& campaign = *part.comparison.campaign;
     const Group& group = part.groups[g];
-    add_division(table, part, g, by_variables(campaign.problems(), group));
+    add_division(table, part, g, by_variables(campaign, group));
     add_division(table, part, g, by_constraints(campaign.problems(), group));
     add_division(table, part, g,
                  by_start(campaign.problems(), group, campaign.plan().first_instance));
@@ -380,11 +391,8 @@ Table coverage_table(const std::vector<RatedPart>& parts) {
       auto& mine = entries.emplace_back();
       for (const std::size_t q : group.problems) mine.push_back(of_problem.at(q));
     }
-    std::vector<std::string> clusters;
-    for (const std::size_t q : group.problems) {
-      clusters.push_back(cluster_of(campaign.problems()[q]));
-    }
-    const std::size_t number = clusters_in(campaign, group.problems);
+    const std::vector<std::string> clusters = cluster_names(campaign, group.problems);
+    const std::size_t number = places_by_cluster(clusters).size();
     if (number < 2 || entries.empty()) return;
     const std::uint64_t seed = seed_of("coverage", group.family, 0, 0);
     table.add(group.family, group.problems.size(), number, effective_problems(entries, clusters),

@@ -345,8 +345,7 @@ std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
     const PlannedCell& cell = *result.cell;
     const std::size_t number = cell.parts.front();
     const std::string price = usual_price(campaign.plan().parts[number]);
-    const bool usual = cell.cell.perturbation == "plain" &&
-                       std::ranges::find(cell.gradient_prices, price) != cell.gradient_prices.end();
+    const bool usual = cell.cell.perturbation == "plain" && cell.is_at_price(price);
     if (!usual || result.outcomes.empty()) continue;
     const auto reported = std::ranges::find(parts, number, &ReportedPart::part);
     if (reported != parts.end() && reported->silent.contains(cell.problem)) continue;

@@ -27,17 +27,29 @@ Interval wilson_interval(double successes, double trials, double confidence) {
           failures == 0 ? 1 : std::min(1.0, (centre + half) / (trials + z * z))};
 }
 
+std::vector<std::vector<std::size_t>> places_by_cluster(const std::vector<std::string>& clusters) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    const std::size_t group = clusters[k].empty()
+                                  ? groups.size()
+                                  : known.try_emplace(clusters[k], groups.size()).first->second;
+    if (group == groups.size()) groups.emplace_back();
+    groups[group].push_back(k);
+  }
+  return groups;
+}
+
 namespace {
 
 /// The values of each cluster.
 std::vector<std::vector<double>> by_cluster(const std::vector<double>& shares,
                                             const std::vector<std::string>& clusters) {
   std::vector<std::vector<double>> groups;
-  std::map<std::string, std::size_t> places;
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    const bool fresh = clusters.empty() || places.try_emplace(clusters[k], groups.size()).second;
-    if (fresh) groups.emplace_back();
-    groups[clusters.empty() ? k : places.at(clusters[k])].push_back(shares[k]);
+  for (const auto& places :
+       places_by_cluster(clusters.empty() ? std::vector<std::string>(shares.size()) : clusters)) {
+    auto& group = groups.emplace_back();
+    for (const std::size_t k : places) group.push_back(shares[k]);
   }
   return groups;
 }

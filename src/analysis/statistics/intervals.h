@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -44,6 +45,10 @@ struct MeanShare {
 /// one outside [0, 1], or another number of clusters.
 MeanShare mean_share(const std::vector<double>& shares,
                      const std::vector<std::string>& clusters = {}, double confidence = 0.95);
+
+/// The places of each cluster's problems, clusters in the order of their first problems; a problem
+/// whose cluster has no name is alone in one.
+std::vector<std::vector<std::size_t>> places_by_cluster(const std::vector<std::string>& clusters);
 
 /// How many independent problems would give the mean of these shares the variance that the clusters
 /// give it, at most as many as there are; for several entries the variances are summed. `entries`

@@ -182,16 +182,9 @@ std::vector<double> probabilities_of_being_first(const std::vector<RivalsAhead>&
 }
 
 std::vector<std::vector<std::size_t>> clusters_of(const std::vector<RivalsAhead>& problems) {
-  std::vector<std::vector<std::size_t>> clusters;
-  std::map<std::string, std::size_t> places;
-  for (std::size_t q = 0; q < problems.size(); ++q) {
-    const std::string& name = problems[q].cluster;
-    const auto place =
-        name.empty() ? clusters.size() : places.try_emplace(name, clusters.size()).first->second;
-    if (place == clusters.size()) clusters.emplace_back();
-    clusters[place].push_back(q);
-  }
-  return clusters;
+  std::vector<std::string> names;
+  for (const RivalsAhead& problem : problems) names.push_back(problem.cluster);
+  return places_by_cluster(names);
 }
 
 RivalsAhead rivals_ahead(const std::vector<Ranking>& instances) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -177,13 +176,13 @@ void add_rows(Table& table, const EntrySet& set, const std::vector<Spent>& spent
 void add_break_even(const Campaign& campaign, const EntrySet& set, report::Results& page) {
   std::vector<Spent> spent;
   std::vector<std::size_t> all;
-  std::map<std::string, std::vector<std::size_t>> by_cluster;
+  std::vector<std::string> clusters;
   std::vector<double> simulations;
   for (std::size_t q = 0; q < set.problems.size(); ++q) {
     const Problem& problem = campaign.problems()[set.problems[q]];
     spent.push_back(spent_on(problem, set, q));
     all.push_back(q);
-    by_cluster[cluster_of(problem)].push_back(q);
+    clusters.push_back(cluster_of(problem));
     if (std::isfinite(spent[q].simulation)) {
       simulations.push_back(spent[q].simulation / problem.cost);
     }
@@ -195,10 +194,9 @@ void add_break_even(const Campaign& campaign, const EntrySet& set, report::Resul
                {"solver", "ahead"},
                {"formulation"},
                {"sure", "confidence [%]", ".0%", 3}}};
-  std::vector<std::vector<std::size_t>> clusters;
-  for (const auto& [name, problems] : by_cluster) clusters.push_back(problems);
+  const auto places = places_by_cluster(clusters);
   for (std::size_t p = 0; p < prices.size(); ++p) {
-    add_rows(table, set, spent, clusters, stretches_of(mean_expenses(spent, all, p)), p);
+    add_rows(table, set, spent, places, stretches_of(mean_expenses(spent, all, p)), p);
   }
   page.set("here", simulations.empty() ? Value() : value_of(mean_cost(simulations)));
   page.add(std::move(table));

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* mark = "archive";
-constexpr double much_better = 0.05;  // of the optimality gap
+constexpr double much_better = 0.01;  // of the optimality gap
 
 /// The most bytes that an archive of this size may hold: a store is some ten times larger.
 constexpr std::size_t most_bytes(std::size_t size) {
@@ -45,14 +45,21 @@ double rounded(double seconds) {
 
 constexpr int bits_on_the_way = 6, bits_at_the_end = 20;
 
-/// An objective that does not solve the problem, rounded up to so many bits of its optimality gap;
-/// another one as it is.
-double rounded_up(double objective, const StoredProblem& problem, int bits) {
-  const double gap = objective - problem.best_known;
-  if (!(gap > problem.tolerance) || !std::isfinite(gap)) return objective;
-  const double unit = std::ldexp(1.0, std::ilogb(gap) - bits);
-  const double rounded = std::ceil(objective / unit) * unit;
-  return std::isfinite(rounded) ? rounded : objective;
+/// A number above `from`, rounded up so that so many bits of its distance are kept.
+double rounded_up(double number, double from, int bits) {
+  const double distance = number - from;
+  if (!(distance > 0) || !std::isfinite(distance)) return number;
+  const double unit = std::ldexp(1.0, std::ilogb(distance) - bits);
+  const double rounded = std::ceil(number / unit) * unit;
+  return std::isfinite(rounded) ? rounded : number;
+}
+
+/// Keeps so many bits of a violation, and of an optimality gap that does not solve the problem.
+void round_up(TrueValues& values, const StoredProblem& problem, int bits) {
+  values.violation = rounded_up(values.violation, 0, bits);
+  if (values.objective - problem.best_known > problem.tolerance) {
+    values.objective = rounded_up(values.objective, problem.best_known, bits);
+  }
 }
 
 std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredProblem& problem,
@@ -80,8 +87,7 @@ std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredPro
     step.x = Vector();
     step.seconds = solves ? rounded(step.seconds) : 0;
     const bool on_the_way = !solves && !returns && k + 1 < trace.size();
-    double& objective = step.true_values.objective;
-    objective = rounded_up(objective, problem, on_the_way ? bits_on_the_way : bits_at_the_end);
+    round_up(step.true_values, problem, on_the_way ? bits_on_the_way : bits_at_the_end);
     kept.push_back(std::move(step));
   }
   return kept;
@@ -100,8 +106,7 @@ RunRecord thinned(RunRecord record, const StoredProblem& problem) {
   record.ledger.seconds = rounded(record.ledger.seconds);
   record.trace = thinned(std::move(record.trace), problem, record.returned);
   if (record.returned) {
-    double& objective = record.returned->true_values.objective;
-    objective = rounded_up(objective, problem, bits_at_the_end);
+    round_up(record.returned->true_values, problem, bits_at_the_end);
     record.returned->x = Vector();
   }
   return record;

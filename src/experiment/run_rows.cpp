@@ -28,6 +28,12 @@ std::string runs_where(const char* condition) {
   return fmt::format("SELECT {}, number FROM run WHERE {}", columns, condition);
 }
 
+/// What is kept of a run's checksum: 16 bits if it is of an archive, where runs have no seed. The
+/// archive has a checksum of its own.
+std::uint64_t kept(std::uint64_t checksum, const RunRecord& record) {
+  return record.seed == 0 ? checksum & 0xffffU : checksum;
+}
+
 std::optional<std::int64_t> first_number(Use& use) {
   if (!use.next()) return std::nullopt;
   return use.integer(0);
@@ -128,7 +134,7 @@ void RunRows::add(const RunKey& key, const RunRecord& record) {
             over != nullptr ? &over->x : nullptr,
             over != nullptr ? &over->true_values.objective : nullptr,
             over != nullptr ? &over->true_values.violation : nullptr,
-            static_cast<std::int64_t>(checksum(key, record, terminations)))
+            static_cast<std::int64_t>(kept(checksum(key, record, terminations), record)))
       .execute();
   const std::int64_t run = database_.getLastInsertRowid();
   std::int64_t step = 0;
@@ -228,7 +234,8 @@ StoredRun RunRows::read(std::int64_t number, const Use& row, const Cell& cell) {
   }
   const std::vector<RepeatedTermination> ended = terminations(stored.number);
   // Before the terminations are expanded: the number of starts may be damaged.
-  if (static_cast<std::uint64_t>(row.integer(22)) != checksum(stored.key, record, ended)) {
+  const auto stated = static_cast<std::uint64_t>(row.integer(22));
+  if (kept(stated, record) != kept(checksum(stored.key, record, ended), record)) {
     throw Damage("it is not what was added");
   }
   std::int64_t starts = 0;

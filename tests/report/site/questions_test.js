@@ -36,7 +36,7 @@ const questions = [
   ["Can I use an accelerometer?", "accelerometer", ["docs/identify"], () => "Record one knock for each impact"],
   ["How do I say that my numbers are uncertain?", "uncertain numbers in a machine file", ["docs/machine-files", "docs/tutorial"], () => "plus_minus"],
   ["Which solver copes with noise?", "which solver for a noisy objective", ["comparison/robustness"], () => row("comparison/robustness", "perturbations", {perturbation: "noisy"}).best],
-  ["Which problems has nobody solved?", "problems nobody solved", ["comparison"], () => rows("comparison", "unsolved")[0].problem],
+  ["Which problems has nobody solved?", "problems nobody solved", ["comparison"], () => rows("comparison", "silent").find(({unsolved}) => unsolved).problem],
   ["How many evaluations does bisection need?", "bisection evaluations", ["comparison/top-speed", "comparison/solvers"], () => fixed(row("comparison", "speed-accuracy", {family: "top-speed", solver: "bisection", formulation: "count"}).evaluations, 1)],
   ["Is this Ipopt an old one?", "ipopt version", ["comparison/solvers"], () => data("comparison/solvers").parts.solvers.find(({id}) => id === "ipopt").values.version],
   ["What is ERT?", "ERT", ["docs/benchmark-method", "docs/glossary", "comparison/solvers"], () => "evaluations until solved, with restarts"],

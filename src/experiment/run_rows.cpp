@@ -28,10 +28,10 @@ std::string runs_where(const char* condition) {
   return fmt::format("SELECT {}, number FROM run WHERE {}", columns, condition);
 }
 
-/// What is kept of a run's checksum: 16 bits if it is of an archive, where runs have no seed. The
+/// What is kept of a run's checksum: 8 bits if it is of an archive, where runs have no seed. The
 /// archive has a checksum of its own.
 std::uint64_t kept(std::uint64_t checksum, const RunRecord& record) {
-  return record.seed == 0 ? checksum & 0xffffU : checksum;
+  return record.seed == 0 ? checksum & 0xffU : checksum;
 }
 
 std::optional<std::int64_t> first_number(Use& use) {

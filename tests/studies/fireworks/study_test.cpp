@@ -58,8 +58,9 @@ TEST(FireworksStudy, SeesWhoFavoursTheOrigin) {
   each_row(*made().table("variants"), [&](const Row& row) {
     if (row.is("biased")) biased.insert(row.text("solver"));
   });
-  EXPECT_EQ(biased,
-            (std::set<std::string>{"fireworks", "fireworks-as-printed", "fireworks-authors"}));
+  // With two sparks the box around the firework shrinks before it has gone far.
+  EXPECT_EQ(biased, (std::set<std::string>{"bbfwa-tuned", "fireworks", "fireworks-as-printed",
+                                           "fireworks-authors"}));
   EXPECT_EQ(made().table("shift")->rows.size(), 13U * 6U);
 }
 

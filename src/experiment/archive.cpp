@@ -1,6 +1,5 @@
 #include "src/experiment/archive.h"
 
-#include <SQLiteCpp/Database.h>
 #include <fmt/format.h>
 #include <lzma.h>
 
@@ -149,7 +148,7 @@ void write_archive(const Store& store, const fs::path& out,
       add(run.key, thinned(run.record, *problems.at(run.key.cell.problem)));
     });
   });
-  SQLite::Database(packed.string(), SQLite::OPEN_READWRITE).exec("VACUUM");  // a tenth less
+  Store::pack(packed);  // a tenth less
   write_text_file(out, xz_compressed(bytes_of(packed)));
 }
 

@@ -104,6 +104,10 @@ void Store::replace(const fs::path& file, const CampaignDescription& description
   write_at(fs::canonical(file), DraftStore::Place::is_replaced, description, fill);
 }
 
+void Store::pack(const fs::path& file) {
+  SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("VACUUM");
+}
+
 Store Store::open(const fs::path& file, For purpose) {
   auto database = std::make_unique<Database>();
   database->file = file;

@@ -117,6 +117,9 @@ class Store {
   static void replace(const std::filesystem::path& file, const CampaignDescription& description,
                       const std::function<void(const AddRun&)>& fill);
 
+  /// Rewrites a file that write() made without the gaps in its tables.
+  static void pack(const std::filesystem::path& file);
+
   /// Opens a file to read it, which may be an archive, or to add runs. Throws InputError for a file
   /// that is missing, damaged (by SQLite's own integrity and foreign key checks, which take some
   /// seconds for a million runs), of another program, or of another version of the suite; for

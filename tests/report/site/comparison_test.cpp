@@ -70,10 +70,15 @@ TEST(ReferenceComparison, HasOneFirstAndOneProbabilityOfEachFamily) {
       EXPECT_EQ(leader["formulation"], first["formulation"]) << part.id;
       EXPECT_EQ(leader["best"], first["best"]) << part.id;
       EXPECT_EQ(leader["returned"], first["returned"]) << part.id;
+      const bool most = is_missing(leader["most"]);
+      // Rates have three digits here: who solves hardly more is named, but looks as good.
       const Table more = where(ratings, [&](const Row& row) {
-        return !is_missing(row["rank"]) && row.number("returned") > first.number("returned");
+        const double ahead = row.number("returned") - first.number("returned");
+        const bool is_first =
+            row["solver"] == first["solver"] && row["formulation"] == first["formulation"];
+        return !is_missing(row["rank"]) && !is_first && (most ? ahead > 0 : ahead >= 0);
       });
-      EXPECT_EQ(is_missing(leader["most"]), more.rows.empty())
+      EXPECT_EQ(most, more.rows.empty())
           << part.id << ": whoever solves more than the first is named beside it";
     }
   });
@@ -100,7 +105,8 @@ TEST(ReferenceComparison, MarksAFirstThatWasTunedToTheSuite) {
   const Results main = results_in_folder(comparison);
   int marked = 0;
   each_row(*main.table("leaders"), [&](const Row& row) {
-    if (row.text("solver") != "mads") return;
+    const std::string solver = row.text("solver");
+    if (!solver.starts_with("continuation-") || solver.ends_with("-tuned")) return;
     EXPECT_EQ(row.text("tuned"), " (tuned to this suite)");
     ++marked;
   });
@@ -153,14 +159,14 @@ TEST(ReferenceComparison, HasMostRunsFailOnProblemsThatDo) {
   }
 }
 
-TEST(ReferenceComparison, IsReadInAnEvening) {
+TEST(ReferenceComparison, IsReadInTwoEvenings) {
   int words = 0;
   each_page([&](const fs::path& folder) {
     std::istringstream text(bytes_of(folder / "summary.md"));
     for (std::string word; text >> word;) ++words;
   });
   EXPECT_GT(words, 5'000);
-  EXPECT_LT(words, 30'000);
+  EXPECT_LT(words, 50'000);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ const drawSteps = ({chart, caption}, {heading, x, from, to, curves, y, rules, to
 };
 
 const drawCharts = (drawn, reference, problems) => {
-  const results = (one) => [...one.results.values()], target = levels[choice.target];
+  const results = (one) => [...one.counted.values()], target = levels[choice.target];
   const ends = drawn.flatMap((one) => results(one).map(({cell}) => Math.min(cell.entry.budget, Number(choice.most) || Infinity)));
   const curves = drawn.map((one, look) => ({name: one.name, look, steps: runtimes(results(one))}));
   const first = curves.flatMap(({steps}) => steps.length ? [steps[0][0]] : []), to = Math.max(...ends, 1);
@@ -106,14 +106,14 @@ const drawEntries = (ordered, drawn, problems, ranked) => {
         const names = drawn.map(({name}) => name).filter((name) => name !== one.name);
         setShown(event.target.checked ? [...names, one.name].slice(-drawnAtMost) : names);
       }})},
-    {title: "problems", value: (one) => `${one.results.size} of ${problems}`},
+    {title: "problems", value: (one) => `${one.counted.size} of ${problems}`},
     {title: "success rate [%]", sorted: choice.order === "budget" ? "descending" : undefined, value: (one) => `${percent(one.share)} [${percent(one.lower)}, ${percent(one.upper)}]`},
     ...(ranked ? [
       {title: `mean rank of ${ranked}`, sorted: choice.order === "rank" ? "ascending" : undefined, value: (one) => short(one.rank)},
       {title: "P(best)", value: (one) => one.first === undefined ? "–" : one.first.toFixed(2)},
     ] : []),
     {title: "evaluations a variable", value: (one) => short(one.evaluations)},
-    {title: "ERT a variable", value: (one) => one.never < one.results.size ? `${short(one.ert)} on ${one.results.size - one.never}` : "–"},
+    {title: "ERT a variable", value: (one) => one.never < one.counted.size ? `${short(one.ert)} on ${one.counted.size - one.never}` : "–"},
     {title: "PAR10 a variable", sorted: choice.order === "target" ? "ascending" : undefined, value: (one) => short(one.par10)},
     {title: "PAR10 over the reference's", value: (one) => one.beside.problems ? short(one.beside.ratio) : "–"},
     {title: "PAR10 lower, higher on", value: (one) => `${one.beside.fewer}, ${one.beside.more} of ${one.beside.problems}`},
@@ -144,7 +144,7 @@ const quoted = (text) => /^[\w.,:=+/-]+$/.test(text) ? text : `'${text.replaceAl
 const commandsOf = (cell, run) => {
   const {entry} = cell, solver = table.solvers[entry.solver], family = table.families[entry.family], commands = [];
   const problem = table.problems[cell.problem].problem, formulation = table.formulations[entry.formulation];
-  const perturbation = table.perturbations[entry.perturbation], price = table.prices[entry.price];
+  const perturbation = table.perturbations[entry.perturbation], {price} = cell;
   if (family.suite && !solver.outside && price === "n") {
     commands.push(`./ricochet solve ${quoted(solver.solver)} ${quoted(problem)} --formulation ${quoted(formulation)}${perturbation === "plain" ? "" : ` --perturbation ${perturbation}`} ` +
       `--budget ${entry.budget * cell.variables} --instance ${run.instance} --seed ${run.seed}`);
@@ -187,8 +187,8 @@ const sentence = (ordered, problems) => {
   const sure = second && choice.order === "budget" && second.complete === first.complete && second.upper >= first.lower && first.lower < first.share
     ? " The intervals overlap: the runs do not tell which is better." : "";
   const [least] = inOrder(ordered, "rank"), other = choice.order !== "rank" && least.rank && least !== first
-    ? ` By mean rank ${least.name} is first, on ${least.results.size} of ${problems} problem${problems === 1 ? "" : "s"}: ${rank(least)}.` : "";
-  return `${first.name} ${ahead[choice.order]} on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
+    ? ` By mean rank ${least.name} is first, on ${least.counted.size} of ${problems} problem${problems === 1 ? "" : "s"}: ${rank(least)}.` : "";
+  return `${first.name} ${ahead[choice.order]} on ${first.counted.size} problem${first.counted.size === 1 ? "" : "s"}${among}, ${number(first)}` +
     `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure}${other} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 
@@ -210,7 +210,7 @@ const show = (complaint = "") => {
   byId("view-answer").textContent = sentence(ordered, problems);
   for (const id of ["view-charts", "view-entries"]) byId(id).hidden = !reference;
   if (reference) {
-    for (const one of ordered) one.beside = ratioTo(one.results, reference.results);
+    for (const one of ordered) one.beside = ratioTo(one.counted, reference.counted);
     const chosen = ordered.find((one) => one.name === choice.entry) ?? ordered.find((one) => one.solver === choice.entry);
     if (chosen) choice.entry = chosen.name;
     const drawn = shownEntries(ordered, chosen);

@@ -7,7 +7,7 @@ class Choice {
     this.names = {family: table.families.map((one) => one.family), perturbation: table.perturbations, price: table.prices};
     const joint = table.families.filter((one) => one.joint !== null);
     this.families = [...(joint.length > 1 ? ["all"] : []), ...this.names.family];
-    this.usual = {family: this.families[0], variables: "all", budget: "", perturbation: "plain", price: "n", formulation: "best",
+    this.usual = {family: this.families[0], variables: "all", budget: "", perturbation: "plain", price: table.prices.includes("measured") ? "measured" : "n", formulation: "best",
                   target: "2", order: "budget", most: "", reference: "", shown: "", entry: "", problem: "", words: ""};
     Object.assign(this, this.usual);
     this.fit();
@@ -18,7 +18,7 @@ class Choice {
   entriesOf(family) {
     const {families, entries, perturbations, prices} = this.table;
     return entries.filter((entry) => family === "all"
-      ? families[entry.family].joint === entry.budget && perturbations[entry.perturbation] === "plain" && prices[entry.price] === "n"
+      ? families[entry.family].joint === entry.budget && perturbations[entry.perturbation] === "plain" && prices[entry.price] === this.usual.price
       : families[entry.family].family === family);
   }
 
@@ -56,7 +56,7 @@ class Choice {
       else this.perturbation = perturbed(this.family).includes("plain") ? "plain" : perturbed(this.family)[0];
     }
     const first = (key, list, usual) => { if (!list.includes(this[key])) this[key] = list.includes(usual) ? usual : list[0]; };
-    first("price", this.options().prices, "n");
+    first("price", this.options().prices, this.usual.price);
     first("budget", this.options().budgets);
     first("formulation", this.options().formulations, "best");
     first("variables", this.options().variables, "all");
@@ -98,7 +98,7 @@ class Choice {
 }
 
 // The contestants of a choice: solvers in their best formulations, or solver-formulation pairs. Each has the
-// results of its cells by problem.
+// results of its cells by problem; those that count are of problems that tell something.
 const contestantsOf = (table, choice) => {
   const cap = choice.most === "" ? Infinity : Number(choice.most), level = Number(choice.target);
   const byFamily = new Map();
@@ -115,7 +115,10 @@ const contestantsOf = (table, choice) => {
     else byFamily.get(place).push({solver, formulation, family: table.families[entry.family].family, results});
   }
   // A formulation is the better, the more problems it accepts, then by success rate, then by evaluations.
-  const merit = ({results}) => [results.length, sum(results.map((one) => one.share)), -geometricMean(results.map((one) => one.evaluations))];
+  const merit = ({results}) => {
+    const counted = results.filter(({cell}) => !table.families[cell.entry.family].silent.includes(cell.problem));
+    return [counted.length, sum(counted.map((one) => one.share)), -geometricMean(counted.map((one) => one.evaluations))];
+  };
   const better = (a, b) => { const i = a.findIndex((x, k) => x !== b[k]); return i >= 0 && a[i] > b[i]; };
   const contestants = new Map();
   for (const all of byFamily.values()) {
@@ -123,12 +126,16 @@ const contestantsOf = (table, choice) => {
     const taken = choice.formulation === "best" ? [all.reduce((best, one) => better(merit(one), merit(best)) ? one : best)] : all;
     for (const {solver, formulation, family, results} of taken) {
       const name = choice.formulation === "best" && choice.family === "all" ? solver : `${solver}, ${formulation}`;
-      if (!contestants.has(name)) contestants.set(name, {name, solver, results: new Map()});
-      for (const result of results) contestants.get(name).results.set(`${family}/${table.problems[result.cell.problem].problem}`, result);
+      if (!contestants.has(name)) contestants.set(name, {name, solver, results: new Map(), counted: new Map()});
+      for (const result of results) {
+        const {problem, entry} = result.cell, key = `${family}/${table.problems[problem].problem}`, one = contestants.get(name);
+        one.results.set(key, result);
+        if (!table.families[entry.family].silent.includes(problem)) one.counted.set(key, result);
+      }
     }
   }
-  const problems = new Set([...contestants.values()].flatMap((one) => [...one.results.keys()])), all = [...contestants.values()];
-  for (const one of all) Object.assign(one, summaryOf([...one.results.values()]), {complete: one.results.size === problems.size});
+  const all = [...contestants.values()].filter(({counted}) => counted.size > 0), problems = new Set(all.flatMap((one) => [...one.counted.keys()]));
+  for (const one of all) Object.assign(one, summaryOf([...one.counted.values()]), {complete: one.counted.size === problems.size});
   const ranked = ranksUnder(table, choice, all, problems, cap);
   return {contestants: all, problems: problems.size, ranked};
 };
@@ -142,7 +149,7 @@ let keptRanks = {of: null};
 const ranksUnder = (table, choice, contestants, problems, cap) => {
   const of = ["family", "variables", "budget", "perturbation", "price", "formulation", "target", "most"].map((key) => choice[key]).join("|");
   if (keptRanks.of !== of) {
-    for (const one of contestants) for (const {cell} of one.results.values()) table.placeRuns(cell.entry);
+    for (const one of contestants) for (const {cell} of one.counted.values()) table.placeRuns(cell.entry);
     const ranked = setRanks(contestants, problems, leastTaken(choice), cap);
     keptRanks = {of, ranked, ranks: new Map(contestants.map(({name, rank, first}) => [name, {rank, first}]))};
   }

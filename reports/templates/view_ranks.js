@@ -51,19 +51,20 @@ const drawnInstances = (problems, size, below) => {
   return {draws, means};
 };
 
-// The share of 2,000 samples of the problems, drawn with replacement, in which each of `size` entries has the least mean
+// The share of 2,000 samples of the clusters of problems, drawn with replacement, in which each of `size` entries has the least mean
 // share of rivals ahead. For each problem a sample takes one of the draws of its instances, which are made before, so
-// that a page need not wait. `problems`: {who: entries, shares: a row for each instance}.
+// that a page need not wait. `problems`: {who: entries, shares: a row for each instance, cluster}.
 const samplesDrawn = 2000;
 const probabilitiesOfBeingFirst = (problems, size) => {
   const random = uniformNumbers(1), below = (end) => Math.floor(end * random()), times = new Float64Array(size);
+  const clusters = placesOf(problems.map(({cluster}) => cluster));
   const {draws, means} = drawnInstances(problems, size, below), sums = new Float64Array(size), taken = new Float64Array(size);
   for (let sample = 0; sample < samplesDrawn; ++sample) {
     sums.fill(0);
     taken.fill(0);
     let whole = 0;  // problems that all take
-    for (let draw = 0; draw < problems.length; ++draw) {
-      const problem = below(problems.length), row = (problem * draws + below(draws)) * size, {who} = problems[problem];
+    for (let draw = 0; draw < clusters.length; ++draw) for (const problem of clusters[below(clusters.length)]) {
+      const row = (problem * draws + below(draws)) * size, {who} = problems[problem];
       for (let k = 0; k < size; ++k) sums[k] += means[row + k];
       if (who.length === size) ++whole;
       else for (let k = 0; k < who.length; ++k) ++taken[who[k]];
@@ -81,25 +82,25 @@ const probabilitiesOfBeingFirst = (problems, size) => {
 };
 
 // Of the problems, what these entries alone are drawn with: the others cannot be first.
-const amongThese = (problems, entries) => problems.map(({who, shares}) => {
+const amongThese = (problems, entries) => problems.map(({who, shares, cluster}) => {
   const columns = [...who.keys()].filter((k) => entries.includes(who[k]));
-  return {who: Int32Array.from(columns, (k) => entries.indexOf(who[k])), shares: shares.map((row) => Float64Array.from(columns, (k) => row[k]))};
+  return {who: Int32Array.from(columns, (k) => entries.indexOf(who[k])), shares: shares.map((row) => Float64Array.from(columns, (k) => row[k])), cluster};
 });
 
 // Sets `rank` and `first`, the probability of being first, of those contestants that take at least this share of the problems.
 // `cap`: evaluations for each variable after which runs are stopped. Returns how many are ranked.
 const setRanks = (contestants, problems, share, cap) => {
-  const ranked = contestants.filter((one) => one.results.size >= share * problems.size), compared = [];
+  const ranked = contestants.filter((one) => one.counted.size >= share * problems.size), compared = [];
   for (const key of problems) {
-    const who = [...ranked.keys()].filter((k) => ranked[k].results.has(key)), results = who.map((k) => ranked[k].results.get(key));
+    const who = [...ranked.keys()].filter((k) => ranked[k].counted.has(key)), results = who.map((k) => ranked[k].counted.get(key));
     if (who.length < 2) continue;
     const shares = results[0].outcomes.map((_, run) => sharesAhead(results.map(({cell, outcomes}) => rankedBy(cell, cell.runs[run], outcomes[run], cap))));
-    compared.push({who, shares});
+    compared.push({who, shares, cluster: results[0].cell.cluster});
   }
   const sums = new Float64Array(ranked.length), taken = new Float64Array(ranked.length);
   for (const {who, shares} of compared) meanOver(shares).forEach((share, k) => { sums[who[k]] += share; ++taken[who[k]]; });
   ranked.forEach((one, k) => Object.assign(one, {rank: 1 + (taken[k] ? sums[k] / taken[k] : 0) * (ranked.length - 1), first: undefined}));
-  if (compared.length < 2 || !ranked.some((one) => one.share > 0)) return ranked.length;
+  if (placesOf(compared.map(({cluster}) => cluster)).length < 2 || !ranked.some((one) => one.share > 0)) return ranked.length;
   // On hundreds of problems those far behind are never first: leaving them out saves most of the time.
   const ahead = [...ranked.keys()].sort((i, k) => ranked[i].rank - ranked[k].rank).slice(0, Math.max(16, Math.floor(4000 / compared.length)));
   const probabilities = probabilitiesOfBeingFirst(amongThese(compared, ahead), ahead.length);

@@ -46,7 +46,7 @@ class RunTable {
   constructor({families, problems, solvers, formulations, perturbations, prices, entries, orders, first_instance, command}) {
     const namesIn = (list) => records(list).map(({name}) => name);
     Object.assign(this, {
-      families: records(families).map((family) => ({...family, problems: numbersIn(family.problems)})),
+      families: records(families).map((family) => ({...family, problems: numbersIn(family.problems), silent: numbersIn(family.silent)})),
       problems: records(problems), solvers: records(solvers), entries: records(entries),
       formulations: namesIn(formulations), perturbations: namesIn(perturbations), prices: namesIn(prices),
       orders: records(orders).map(({order}) => order), first_instance, command});
@@ -82,14 +82,15 @@ class RunTable {
     for (const places of among.values()) places.forEach((runs, place) => runs.forEach((run) => { run.place = place; }));
   }
 
-  // The cells of an entry, one for each problem that it takes: {entry, problem, variables, targets, runs}.
+  // The cells of an entry, one for each problem that it takes: {entry, problem, price, variables, targets, cluster, runs}.
   cellsOf(entry) {
     if (entry.cells) return entry.cells;
     const missing = new DigitReader(entry.missing), times = new DigitReader(entry.times), spent = new DigitReader(entry.spent), repeats = new DigitReader(entry.repeats);
     let single = repeats.ended ? Infinity : repeats.number();  // runs before the next one that repeats another
     let whole = spent.ended ? Infinity : spent.number();  // runs before the next one that `spent` has
-    entry.cells = entry.taken.map((problem) => {
-      const {variables, targets} = this.problems[problem], budget = entry.budget * variables, runs = [];
+    entry.cells = entry.taken.map((problem, i) => {
+      const price = entry.shared[i] === "1" ? "n" : this.prices[entry.price];  // a run that is the same at both is stored at n
+      const {variables, targets, cluster} = this.problems[problem], budget = entry.budget * variables, runs = [];
       for (let i = 0; i < entry.instances * entry.seeds; ++i) {
         const run = {instance: this.first_instance + Math.floor(i / entry.seeds), seed: i % entry.seeds, missing: missing.digit(), times: [], evaluations: null, repeats: single === 0};
         single = single === 0 ? (repeats.ended ? Infinity : repeats.number()) : single - 1;
@@ -108,7 +109,7 @@ class RunTable {
         }
         runs.push(run);
       }
-      return {entry, problem, variables, targets, runs};
+      return {entry, problem, price, variables, targets, cluster, runs};
     });
     return entry.cells;
   }
@@ -145,18 +146,36 @@ const wilson = (successes, trials) => {
   return [Math.max(0, (middle - half) / scale), Math.min(1, (middle + half) / scale)];
 };
 
-// The mean of shares with its interval over problems, as src/analysis/statistics/intervals.cpp has it.
-const meanShare = (shares) => {
-  const imagined = 0.1, size = shares.length, mean = Math.min(1, sum(shares) / size);
-  const squares = imagined * (mean * mean + (1 - mean) * (1 - mean)) + sum(shares.map((x) => (x - mean) ** 2));
-  const trials = Math.max(size, size * mean * (1 - mean) / (squares / (size - 1 + imagined)));
+// The quantile of Student's t at 0.975: t = sqrt(degrees) tan(angle), and the density of the angle is a power of its cosine.
+const studentQuantile = (degrees) => {
+  const steps = 2000, width = Math.PI / 2 / steps, density = (step) => Math.cos((step + 0.5) * width) ** (degrees - 1);
+  const whole = sum(Array.from({length: steps}, (_, step) => density(step)));
+  let step = 0, below = 0;
+  while (below + density(step) < 0.95 * whole) below += density(step++);
+  return Math.sqrt(degrees) * Math.tan(width * (step + (0.95 * whole - below) / density(step)));
+};
+
+// Lists of the places of equal values.
+const placesOf = (values) => {
+  const places = new Map();
+  values.forEach((value, place) => places.has(value) ? places.get(value).push(place) : places.set(value, [place]));
+  return [...places.values()];
+};
+
+// The mean of shares with its interval over clusters of problems, as src/analysis/statistics/intervals.cpp has it.
+const meanShare = (shares, clusters) => {
+  const imagined = 0.1, size = shares.length, mean = Math.min(1, sum(shares) / size), groups = placesOf(clusters), number = groups.length;
+  const squares = imagined * (size / number) ** 2 * (mean * mean + (1 - mean) * (1 - mean)) +
+    sum(groups.map((places) => sum(places.map((place) => shares[place] - mean)) ** 2));
+  let trials = Math.max(size * size / sum(groups.map(({length}) => length ** 2)), mean * (1 - mean) / (number * squares / ((number - 1 + imagined) * size * size)));
+  if (number > 1 && number < size) trials *= (1.959963984540054 / studentQuantile(number - 1)) ** 2;
   return [mean, ...wilson(mean * trials, trials)];
 };
 
 // Results of a contestant over problems; `results`: one for each problem that it takes.
 const summaryOf = (results) => {
   const {share: only, distinct} = results[0];
-  const [share, lower, upper] = results.length > 1 ? meanShare(results.map((one) => one.share)) : [only, ...wilson(only * distinct, distinct)];
+  const [share, lower, upper] = results.length > 1 ? meanShare(results.map((one) => one.share), results.map(({cell}) => cell.cluster)) : [only, ...wilson(only * distinct, distinct)];
   return {
     share, lower, upper,
     evaluations: geometricMean(results.map((one) => one.evaluations)),

@@ -34,16 +34,16 @@ class Names {
 };
 
 struct ViewFamily {
-  std::string family;                 ///< as the report names it
-  std::string part;                   ///< of the plan, by name or number
-  std::optional<std::int64_t> joint;  ///< budget with which it is among "all"
-  bool suite;                         ///< `ricochet solve` knows its problems
-  std::vector<std::size_t> problems = {};
+  std::string family;                                   ///< as the report names it
+  std::string part;                                     ///< of the plan, by name or number
+  std::optional<std::int64_t> joint;                    ///< budget with which it is among "all"
+  bool suite;                                           ///< `ricochet solve` knows its problems
+  std::vector<std::size_t> problems = {}, silent = {};  ///< silent: see ReportedPart
 };
 
 /// The runs of an entry, as text; see view.h.
 struct ViewEntry {
-  std::string problems;
+  std::string problems, shared;
   ViewRunsText runs;
 };
 
@@ -78,7 +78,13 @@ class ViewTable {
         family_of({planned.parts.front(), campaign_.family_of(planned.problem)});
     auto& problems = families_[family].problems;
     const std::size_t problem = problem_of(result);
-    if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
+    if (std::ranges::find(problems, problem) == problems.end()) {
+      problems.push_back(problem);
+      const auto part = std::ranges::find(parts_, planned.parts.front(), &ReportedPart::part);
+      if (part != parts_.end() && part->silent.contains(planned.problem)) {
+        families_[family].silent.push_back(problem);
+      }
+    }
     const Cell& cell = planned.cell;
     for (const std::string& price : planned.gradient_prices) {
       cells_[{family, perturbations_.place_of(cell.perturbation), prices_.place_of(price),
@@ -98,6 +104,7 @@ class ViewTable {
                    {"instances"},
                    {"seeds"},
                    {"problems"},
+                   {"shared"},
                    {"missing"},
                    {"times"},
                    {"spent"},
@@ -110,19 +117,22 @@ class ViewTable {
       const Condition condition{family, perturbation, price, budget};
       if (condition != last) orders.emplace_back();
       last = condition;
-      const ViewEntry entry = entry_of(family, taken, orders.back());
+      const ViewEntry entry = entry_of(family, prices_.all()[price], taken, orders.back());
       entries.add(family, perturbation, price, budget, solver, formulation, instances, seeds,
-                  entry.problems, entry.runs.missing, entry.runs.times, entry.runs.spent,
-                  entry.runs.repeats);
+                  entry.problems, entry.shared, entry.runs.missing, entry.runs.times,
+                  entry.runs.spent, entry.runs.repeats);
     }
-    Table families{"view-families", {{"family"}, {"part"}, {"joint"}, {"suite"}, {"problems"}}};
+    Table families{"view-families",
+                   {{"family"}, {"part"}, {"joint"}, {"suite"}, {"problems"}, {"silent"}}};
     for (const ViewFamily& one : families_) {
       families.add(one.family, one.part, one.joint, one.suite,
-                   fmt::format("{}", fmt::join(one.problems, " ")));
+                   fmt::format("{}", fmt::join(one.problems, " ")),
+                   fmt::format("{}", fmt::join(one.silent, " ")));
     }
-    Table problems{"view-problems", {{"problem"}, {"variables"}, {"constraints"}, {"targets"}}};
+    Table problems{"view-problems",
+                   {{"problem"}, {"variables"}, {"constraints"}, {"targets"}, {"cluster"}}};
     for (const ViewProblem& one : problems_) {
-      problems.add(one.problem, one.variables, one.constraints, one.targets);
+      problems.add(one.problem, one.variables, one.constraints, one.targets, one.cluster);
     }
     Table solvers{"view-solvers", {{"solver"}, {"outside"}}};
     for (const std::string& name : solvers_.all()) {
@@ -169,13 +179,14 @@ class ViewTable {
     const Problem& problem = campaign_.problems()[result.cell->problem];
     const std::size_t place = problem_names_.place_of(problem.name);
     if (place == problems_.size()) {
-      problems_.push_back(
-          {problem.name, problem.dimension(), problem.constraints, result.targets->size()});
+      problems_.push_back({problem.name, problem.dimension(), problem.constraints,
+                           result.targets->size(), cluster_of(problem)});
     }
     return place;
   }
 
-  ViewEntry entry_of(std::size_t family, const Taken& taken, ViewOrderWriter& order) const {
+  ViewEntry entry_of(std::size_t family, const std::string& price, const Taken& taken,
+                     ViewOrderWriter& order) const {
     ViewEntry entry;
     ViewRunsWriter runs;
     const std::vector<std::size_t>& problems = families_[family].problems;
@@ -184,6 +195,7 @@ class ViewTable {
       entry.problems += cell == taken.end() ? '0' : '1';
       if (cell == taken.end()) continue;
       const CellResult& result = *cell->second;
+      entry.shared += result.cell->cell.gradient_price == price ? '0' : '1';
       const std::vector<bool> repeated = repeats(result.outcomes);
       for (std::size_t k = 0; k < repeated.size(); ++k) {
         ViewRun run = view_run(result.outcomes[k], *result.targets);
@@ -195,6 +207,7 @@ class ViewTable {
       }
     }
     if (taken.size() == problems.size()) entry.problems.clear();
+    if (entry.shared.find('1') == std::string::npos) entry.shared.clear();
     entry.runs = runs.text();
     return entry;
   }
@@ -203,6 +216,7 @@ class ViewTable {
     std::string problem;
     std::int64_t variables, constraints;
     std::size_t targets;
+    std::string cluster;
   };
 
   const Campaign& campaign_;

@@ -22,12 +22,14 @@ namespace ricochet::studies::comparison {
 /// report names them), problems, solvers, formulations, perturbations and prices of a gradient. An
 /// entry is a solver-formulation pair on one family under one perturbation, price and budget
 /// (evaluations for each variable). Its column `problems` has a 1 for each problem of the family
-/// that it takes and a 0 for others, or is empty if it takes all. Its runs are in the order of the
-/// problems, then of the instances, then of the seeds; how they are written is below. "view-orders"
-/// has a text for each family, perturbation, price and budget, in the order of the entries: how the
-/// runs that miss targets are ranked. A family's `joint` is the budget with which it is among
-/// "all", see joint_entry_set(); its `problems` are numbers of problems. A run is in the part of
-/// the plan that asks for it first. `known`: the solvers of the suite.
+/// that it takes and a 0 for others, or is empty if it takes all; `shared` has a 1 for each that it
+/// takes whose runs are stored at the price n, since they are the same there, or is empty. Its runs
+/// are in the order of the problems, then of the instances, then of the seeds; how they are written
+/// is below. "view-orders" has a text for each family, perturbation, price and budget, in the order
+/// of the entries: how the runs that miss targets are ranked. A family's `joint` is the budget with
+/// which it is among "all", see joint_entry_set(); its `problems` are numbers of problems, of which
+/// those that are `silent` count in no rate (see ReportedPart). A run is in the part of the plan
+/// that asks for it first. `known`: the solvers of the suite.
 report::Results view_page(const Campaign& campaign, const std::vector<CellResult>& results,
                           const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
                           const std::vector<Solver>& known);

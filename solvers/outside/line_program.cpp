@@ -206,7 +206,9 @@ std::optional<std::string_view> LineProgram::line(const Patience& patience) {
 bool LineProgram::has_spoken() {
   if (begin_ < read_.size()) return true;
   pollfd end{output_.number(), POLLIN, 0};
-  return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
+  if (poll(&end, 1, 0) != 1 || (end.revents & POLLIN) == 0) return false;
+  read_more(0);  // nothing where it is a socket that was closed
+  return begin_ < read_.size();
 }
 
 /// Waits until the program accepts more, and reads meanwhile: the program may also be waiting to

@@ -116,7 +116,7 @@ const contestantsOf = (table, choice) => {
   }
   // A formulation is the better, the more problems it accepts, then by success rate, then by evaluations.
   const merit = ({results}) => {
-    const counted = results.filter(({cell}) => !table.families[cell.entry.family].silent.includes(cell.problem));
+    const counted = results.filter(({cell}) => cell.counts);
     return [counted.length, sum(counted.map((one) => one.share)), -geometricMean(counted.map((one) => one.evaluations))];
   };
   const better = (a, b) => { const i = a.findIndex((x, k) => x !== b[k]); return i >= 0 && a[i] > b[i]; };
@@ -128,9 +128,9 @@ const contestantsOf = (table, choice) => {
       const name = choice.formulation === "best" && choice.family === "all" ? solver : `${solver}, ${formulation}`;
       if (!contestants.has(name)) contestants.set(name, {name, solver, results: new Map(), counted: new Map()});
       for (const result of results) {
-        const {problem, entry} = result.cell, key = `${family}/${table.problems[problem].problem}`, one = contestants.get(name);
+        const {problem, counts} = result.cell, key = `${family}/${table.problems[problem].problem}`, one = contestants.get(name);
         one.results.set(key, result);
-        if (!table.families[entry.family].silent.includes(problem)) one.counted.set(key, result);
+        if (counts) one.counted.set(key, result);
       }
     }
   }

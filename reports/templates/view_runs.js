@@ -82,12 +82,14 @@ class RunTable {
     for (const places of among.values()) places.forEach((runs, place) => runs.forEach((run) => { run.place = place; }));
   }
 
-  // The cells of an entry, one for each problem that it takes: {entry, problem, price, variables, targets, cluster, runs}.
+  // The cells of an entry, one for each problem that it takes: {entry, problem, price, variables, targets, cluster,
+  // runs, counts: whether the problem tells something}.
   cellsOf(entry) {
     if (entry.cells) return entry.cells;
     const missing = new DigitReader(entry.missing), times = new DigitReader(entry.times), spent = new DigitReader(entry.spent), repeats = new DigitReader(entry.repeats);
     let single = repeats.ended ? Infinity : repeats.number();  // runs before the next one that repeats another
     let whole = spent.ended ? Infinity : spent.number();  // runs before the next one that `spent` has
+    const {silent} = this.families[entry.family];
     entry.cells = entry.taken.map((problem, i) => {
       const price = entry.shared[i] === "1" ? "n" : this.prices[entry.price];  // a run that is the same at both is stored at n
       const {variables, targets, cluster} = this.problems[problem], budget = entry.budget * variables, runs = [];
@@ -109,7 +111,7 @@ class RunTable {
         }
         runs.push(run);
       }
-      return {entry, problem, price, variables, targets, cluster, runs};
+      return {entry, problem, price, variables, targets, cluster, runs, counts: !silent.includes(problem)};
     });
     return entry.cells;
   }

@@ -268,10 +268,6 @@ class Telling : public PerturbedCalls {
   std::uint64_t calls_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 /// What noise makes of an optimality gap: the gap times a factor, plus an addend.
 struct Noise {
   double factor = 1, addend = 0;

@@ -80,8 +80,8 @@ class ViewTable {
     const std::size_t problem = problem_of(result);
     if (std::ranges::find(problems, problem) == problems.end()) {
       problems.push_back(problem);
-      const auto part = std::ranges::find(parts_, planned.parts.front(), &ReportedPart::part);
-      if (part != parts_.end() && part->silent.contains(planned.problem)) {
+      const ReportedPart* part = reported(planned.parts.front());
+      if (part != nullptr && part->silent.contains(planned.problem)) {
         families_[family].silent.push_back(problem);
       }
     }
@@ -158,15 +158,21 @@ class ViewTable {
   using Condition = std::tuple<std::size_t, std::size_t, std::size_t, std::int64_t>;
   using Taken = std::map<std::size_t, const CellResult*>;  ///< by problem
 
+  /// Null for a part that the report has no pages of.
+  const ReportedPart* reported(std::size_t part) const {
+    const auto found = std::ranges::find(parts_, part, &ReportedPart::part);
+    return found == parts_.end() ? nullptr : &*found;
+  }
+
   std::size_t family_of(const Asked& asked) {
     const auto [known, fresh] = places_.try_emplace(asked, families_.size());
     if (!fresh) return known->second;
     const auto& [number, family] = asked;
     const PlanPart& part = campaign_.plan().parts[number];
     const std::string own = name_of_part(part, number);
-    const auto reported = std::ranges::find(parts_, number, &ReportedPart::part);
-    const std::string name = reported == parts_.end() ? fmt::format("{}-{}", family, own)
-                                                      : reported->families.at(family);
+    const ReportedPart* part_of_report = reported(number);
+    const std::string name = part_of_report == nullptr ? fmt::format("{}-{}", family, own)
+                                                       : part_of_report->families.at(family);
     const auto joint = joint_.find(name);
     const bool suite =
         part.machines.around.empty() && part.drawn_machines == 0 && !part.relocated_optimum;

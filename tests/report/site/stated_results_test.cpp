@@ -25,6 +25,12 @@ Row runs_of(const Committed& comparison, const std::string& family, const std::s
   });
 }
 
+/// The first of a family with the largest budget.
+Row leader_of(const Committed& comparison, const std::string& family) {
+  return comparison.row(
+      "leaders", [&](const Row& row) { return row.text("family") == family && row.is("largest"); });
+}
+
 /// On all families that most solvers take.
 Row on_all(const Committed& comparison, const std::string& solver) {
   return runs_of(comparison, "all", solver, "the best of each");
@@ -94,10 +100,11 @@ TEST(StatedResults, OfReadmeAreThoseOfTheComparison) {
         First{"the same, from 10 times the start", "least-squares", "from 10 times the start"},
         First{"the same, from 100 times the start", "least-squares", "from 100 times the start"}}) {
     const bool whole = *first.subset == '\0';
-    const Row row = comparison.row(whole ? "leaders" : "subsets", [&](const Row& one) {
-      if (one.text("family") != first.family) return false;
-      return whole ? one.is("largest") : one.text("subset") == first.subset;
-    });
+    const Row row =
+        whole ? leader_of(comparison, first.family)
+              : comparison.row("subsets", [&](const Row& one) {
+                  return one.text("family") == first.family && one.text("subset") == first.subset;
+                });
     readme.states(
         fmt::format("| {} | {} | {} | {:.0f} ({:.0f}) |", first.asked,
                     shown(row.text("first") + row.text("tuned"), row.number_if("returned"),
@@ -174,7 +181,8 @@ TEST(StatedResults, OfTheFireworksAlgorithmAreThoseOfTheComparison) {
 
 TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
   const Committed comparison("comparison");
-  int problems = 0, kinds = 0, variants = 0, kinds_of_variants = 0, two = 0, many = 0, left_out = 0;
+  int problems = 0, kinds = 0, variants = 0, kinds_of_variants = 0, two = 0, many = 0;
+  int left_out = 0, joinable = 0;
   each_row(comparison.table("leaders"), [&](const Row& row) {
     if (!row.is("largest")) return;
     const std::string family = row.text("family");
@@ -186,18 +194,23 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
     if (family.ends_with("-machines") || family.ends_with("-fidelity")) {
       ++kinds_of_variants;
       variants += number;
+    } else if (family != "hs" && family != "hs-two") {
+      joinable += rated;
     }
     two += family.ends_with("-two");
     many += family.ends_with("-many");
   });
-  const auto all = static_cast<int>(comparison.value("problems"));
+  const auto pathological =
+      static_cast<int>(Committed("comparison/robustness").table("pathological").rows.size());
+  EXPECT_EQ(problems + pathological, comparison.value("problems"));
   const auto joined = static_cast<int>(on_all(comparison, "random-search").number("problems"));
+  EXPECT_EQ(joined, joinable);
   Prose method = part_of("docs/benchmark-method.md", "**Which number of problems", "```console");
   method.states(fmt::format("takes the {} of up to 100 variables", problems - variants));
   method.states(fmt::format(
       "has {} variants of machines and of the model beside them, and the {} that are pathological: "
       "{} problems",
-      variants, all - problems, all));
+      variants, pathological, problems + pathological));
   method.states(fmt::format(
       "ranks {} kinds: the {} families, those with two variables and with more than 15 apart where "
       "a family has such ({}, named `-two`, and {}, named `-many`), and {} of the variants",
@@ -211,9 +224,7 @@ TEST(StatedResults, CountProblemsAndKindsAsTheComparisonDoes) {
   EXPECT_EQ(method.numbers_left(), "");
   double least = 1;
   each_row(comparison.table("held-out"), [&](const Row& row) {
-    const Row leader = comparison.row("leaders", [&](const Row& one) {
-      return one.text("family") == row.text("family") && one.is("largest");
-    });
+    const Row leader = leader_of(comparison, row.text("family"));
     if (leader.number_if("best").value_or(0) >= 0.9)
       least = std::min(least, row.number("first_stays"));
   });

@@ -9,7 +9,7 @@
 #include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "tests/allocation/allocations.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "src/experiment/planned_runs.h"
 #include "tests/analysis/valley.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet::comparison {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ricochet/solver.h"
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

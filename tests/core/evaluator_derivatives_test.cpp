@@ -6,7 +6,7 @@
 
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "src/core/evaluator.h"
 #include "src/core/instance.h"
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 #include "ricochet/error.h"
 #include "ricochet/problem.h"
 #include "ricochet/run.h"
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

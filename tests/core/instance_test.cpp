@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/hessian_check.h"
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

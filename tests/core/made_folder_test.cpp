@@ -4,7 +4,7 @@
 
 #include "ricochet/error.h"
 #include "src/core/files.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet {
 namespace {

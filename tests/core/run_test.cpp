@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/core/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

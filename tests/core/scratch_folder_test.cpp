@@ -6,7 +6,7 @@
 #include <string>
 
 #include "src/core/files.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet {
 namespace {

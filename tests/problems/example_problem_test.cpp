@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -12,7 +12,7 @@
 #include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "src/studies/suite/suite.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet {
 namespace {

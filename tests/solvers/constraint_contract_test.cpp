@@ -9,7 +9,7 @@
 
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -7,7 +7,7 @@
 #include "ricochet/solver.h"
 #include "solvers/library_solvers.h"
 #include "solvers/nlopt.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -14,7 +14,7 @@
 #include "ricochet/machine.h"
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "tests/core/infinity.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/numbers.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

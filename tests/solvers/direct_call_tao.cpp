@@ -7,7 +7,7 @@
 #include "solvers/library_solvers.h"
 #include "tests/solvers/direct_calls.h"
 #include "tests/solvers/direct_tao.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

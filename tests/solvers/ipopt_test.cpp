@@ -3,7 +3,7 @@
 #include "ricochet/run.h"
 #include "solvers/library_solvers.h"
 #include "src/core/evaluator.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -13,7 +13,7 @@
 #include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

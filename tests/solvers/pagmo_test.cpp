@@ -8,7 +8,7 @@
 #include <string>
 
 #include "ricochet/run.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -13,8 +13,8 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/scenes.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -7,7 +7,7 @@
 #include "ricochet/solver.h"
 #include "solvers/fireworks/fireworks.h"
 #include "src/core/evaluator.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

@@ -8,7 +8,7 @@
 #include "src/experiment/planned_runs.h"
 #include "src/experiment/stored_campaign.h"
 #include "tests/core/best_point_of.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet::studies::comparison {

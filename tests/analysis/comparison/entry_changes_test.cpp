@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "src/analysis/comparison/sections.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -5,7 +5,7 @@
 #include "src/experiment/planned_runs.h"
 #include "src/report/markdown_page.h"
 #include "src/report/report.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet::studies {

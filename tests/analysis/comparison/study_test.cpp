@@ -8,7 +8,7 @@
 #include "src/experiment/stored_campaign.h"
 #include "src/report/markdown_page.h"
 #include "src/report/report.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet::studies {

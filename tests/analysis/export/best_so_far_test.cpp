@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "src/analysis/export/formats.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::exports {
 namespace {

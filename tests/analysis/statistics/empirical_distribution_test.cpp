@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "src/analysis/statistics/profiles.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/running_time.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "ricochet/random.h"
 #include "src/analysis/statistics/profiles.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

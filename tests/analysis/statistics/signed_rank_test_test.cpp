@@ -6,7 +6,7 @@
 
 #include "ricochet/random.h"
 #include "src/analysis/statistics/hypothesis_tests.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

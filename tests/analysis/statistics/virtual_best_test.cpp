@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "src/analysis/statistics/break_even.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "problems/carrier_track/counting/count.h"
 #include "ricochet/machine.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

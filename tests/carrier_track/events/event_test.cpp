@@ -7,7 +7,7 @@
 #include <random>
 
 #include "tests/carrier_track/flight/random_flights.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

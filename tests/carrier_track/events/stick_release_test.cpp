@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/motion/event.h"
 #include "tests/carrier_track/flight/random_flights.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

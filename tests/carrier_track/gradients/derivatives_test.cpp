@@ -16,7 +16,7 @@
 #include "ricochet/machine.h"
 #include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -15,7 +15,7 @@
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/profile.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

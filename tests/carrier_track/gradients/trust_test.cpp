@@ -11,7 +11,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -17,8 +17,8 @@
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
-#include "tests/core/infinity.h"
+#include "tests/support/scenes.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/motion/planar_model.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

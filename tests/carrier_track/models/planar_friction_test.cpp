@@ -13,7 +13,7 @@
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/planar_brute_force.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

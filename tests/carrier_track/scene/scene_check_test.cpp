@@ -10,7 +10,7 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -20,7 +20,7 @@
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
 #include "src/core/files.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -15,7 +15,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -6,7 +6,7 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "src/core/instance.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 #include "tests/carrier_track/suite/machine_of_case.h"
 
 namespace ricochet::carrier_track {

@@ -8,7 +8,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -10,7 +10,7 @@
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/scene.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 

@@ -5,7 +5,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/error.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 #include "tests/carrier_track/suite/machine_of_case.h"
 
 namespace ricochet::carrier_track {

@@ -7,7 +7,7 @@
 #include "problems/carrier_track/suite/best_known.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/run.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 #include "tests/studies/best_values/some_problems.h"
 
 namespace ricochet::carrier_track {

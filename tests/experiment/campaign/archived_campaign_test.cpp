@@ -9,7 +9,7 @@
 #include "ricochet/error.h"
 #include "src/experiment/archive.h"
 #include "src/experiment/planned_runs.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {

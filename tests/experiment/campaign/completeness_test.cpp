@@ -5,7 +5,7 @@
 #include <string>
 
 #include "src/experiment/planned_runs.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {

@@ -15,7 +15,7 @@
 
 #include "ricochet/error.h"
 #include "src/core/files.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {

@@ -5,7 +5,7 @@
 
 #include "ricochet/error.h"
 #include "src/experiment/store.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {

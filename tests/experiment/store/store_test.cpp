@@ -25,7 +25,7 @@
 #include "src/core/files.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {

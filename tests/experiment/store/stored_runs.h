@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "src/experiment/store.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 

@@ -14,7 +14,7 @@
 #include "src/experiment/merge.h"
 #include "src/experiment/run_rows.h"
 #include "src/experiment/store.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/experiment/store/stored_runs.h"
 
 namespace ricochet {

@@ -4,7 +4,7 @@
 
 #include "src/report/json.h"
 #include "src/report/site/entries.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet::site {
 

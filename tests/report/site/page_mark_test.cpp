@@ -6,7 +6,7 @@
 #include <string>
 
 #include "src/report/site/navigation.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 
 namespace ricochet::site {
 namespace {

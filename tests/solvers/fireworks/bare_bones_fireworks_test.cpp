@@ -6,7 +6,7 @@
 
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "tests/solvers/fireworks/asked_points.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -7,7 +7,7 @@
 #include "ricochet/run.h"
 #include "solvers/fireworks/fireworks.h"
 #include "tests/solvers/fireworks/asked_points.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "solvers/fireworks/population.h"
-#include "tests/core/infinity.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/numbers.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::fireworks {
 namespace {

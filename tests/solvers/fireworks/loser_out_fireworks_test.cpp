@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/solvers/fireworks/asked_points.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::fireworks {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solvers/mads.h"
-#include "tests/core/infinity.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {

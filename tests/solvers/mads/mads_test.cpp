@@ -9,7 +9,7 @@
 #include "problems/classic/classic.h"
 #include "ricochet/run.h"
 #include "src/core/evaluator.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {

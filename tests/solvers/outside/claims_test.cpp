@@ -3,7 +3,7 @@
 
 #include "ricochet/error.h"
 #include "solvers/outside/plugin.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::outside {
 namespace {

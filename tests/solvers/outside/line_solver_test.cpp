@@ -15,7 +15,7 @@
 #include "ricochet/error.h"
 #include "ricochet/run.h"
 #include "tests/solvers/outside/scripts.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::outside {
 namespace {

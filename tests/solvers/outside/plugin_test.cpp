@@ -18,7 +18,7 @@
 #include "ricochet/solver.h"
 #include "src/core/child_process.h"
 #include "tests/solvers/outside/scripts.h"
-#include "tests/solvers/test_problems.h"
+#include "tests/support/problems.h"
 
 namespace ricochet::outside {
 namespace {

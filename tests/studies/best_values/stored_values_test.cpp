@@ -4,7 +4,7 @@
 #include "src/core/instance.h"
 #include "src/experiment/store.h"
 #include "src/studies/best_values/best_values.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/studies/best_values/some_problems.h"
 
 namespace ricochet::studies::best_values {

@@ -6,7 +6,7 @@
 
 #include "ricochet/scene.h"
 #include "src/studies/machine/design_parameters.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/support/files.h"
 #include "tests/studies/machine/case_scene.h"
 
 namespace ricochet::studies::advice {

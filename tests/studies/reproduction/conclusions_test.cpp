@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/studies/reproduction/study.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

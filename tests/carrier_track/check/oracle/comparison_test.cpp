@@ -4,7 +4,7 @@
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -10,11 +10,9 @@
 
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "tests/carrier_track/suite/exploratory_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Integrator find_integrator(const std::string& name) {
   for (const Integrator& integrator : all_integrators()) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -11,8 +10,9 @@
 
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
+#include "tests/support/numbers.h"
 
-/// The small problems that every solver is put to.
+/// Small problems, whose optimum is known.
 namespace ricochet {
 
 /// A solver's name as GoogleTest takes it.
@@ -33,7 +33,7 @@ Problem box_problem(std::string name, Eigen::Index n, double lower, double upper
                     Objective objective) {
   Problem problem;
   problem.name = std::move(name);
-  problem.source = "the solvers' tests";
+  problem.source = "the tests";
   problem.lower = Vector::Constant(n, lower);
   problem.upper = Vector::Constant(n, upper);
   problem.start = Vector::Constant(n, start);
@@ -156,8 +156,6 @@ inline Problem plateau(Eigen::Index n) {
   return with_idle_knob(problem);
 }
 
-inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// No number anywhere.
 inline Problem never_a_number(Eigen::Index n) {
   Problem problem =
@@ -212,6 +210,27 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
     return residuals(x);
   };
   return with_idle_knob(problem);
+}
+
+/// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives and residuals; the optimum value is 0.
+inline Problem parabola(Eigen::Index n) {
+  Problem problem;
+  problem.name = "parabola";
+  problem.source = "sum of (x_i - 1/4)^2";
+  problem.lower = Vector::Zero(n);
+  problem.upper = Vector::Ones(n);
+  problem.start = Vector::Constant(n, 0.5);
+  problem.best_known = 0.0;
+  problem.best_point = Vector::Constant(n, 0.25);
+  problem.evaluate = [](const Vector& x) { return Values{(x.array() - 0.25).square().sum(), {}}; };
+  problem.differentiate = [n](const Vector& x) {
+    return Derivatives{
+        {(x.array() - 0.25).square().sum(), {}}, 2 * (x.array() - 0.25), Matrix(0, n)};
+  };
+  problem.residuals = [n](const Vector& x) {
+    return Residuals{std::sqrt(2.0) * (x.array() - 0.25), std::sqrt(2.0) * Matrix::Identity(n, n)};
+  };
+  return problem;
 }
 
 }  // namespace ricochet

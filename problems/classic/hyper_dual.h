@@ -104,7 +104,7 @@ struct Eigen::NumTraits<ricochet::classic::HyperDual> : Eigen::NumTraits<double>
   using NonInteger = ricochet::classic::HyperDual;
   using Nested = ricochet::classic::HyperDual;
   using Literal = ricochet::classic::HyperDual;
-  enum { RequireInitialization = 1 };
+  enum { RequireInitialization = 1 };  // NOLINT(readability-identifier-naming): Eigen's
 };
 
 template <class Operation>

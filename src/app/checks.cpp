@@ -171,8 +171,7 @@ studies::simulators::Plan plan_of(const SimulatorsOptions& options, const StudyO
     plan.levels.push_back(level_named(name));
   }
   std::ranges::sort(plan.levels);
-  const auto [first, last] = std::ranges::unique(plan.levels);
-  plan.levels.erase(first, last);
+  plan.levels.erase(std::unique(plan.levels.begin(), plan.levels.end()), plan.levels.end());
   return plan;
 }
 

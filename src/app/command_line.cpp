@@ -408,7 +408,7 @@ std::string hint_at_value(const CLI::App& command) {
         const std::string name = option->get_positional() ? "" : option->get_name() + " ";
         return fmt::format("{}{}: {}", name, value, what_instead(value, choices));
       }
-      const std::string hint = is_number(*option) ? hint_at_number(*option, value) : "";
+      std::string hint = is_number(*option) ? hint_at_number(*option, value) : "";
       if (!hint.empty()) return hint;
     }
   }

@@ -237,13 +237,13 @@ std::string contradiction(const Campaign& campaign, const StoredRun& run) {
   std::optional<TrueValues> best;
   if (!record.trace.empty()) {
     best = record.trace.back().true_values;
-    const std::string wrong = wrong_length("best_x", record.trace.back().x, problem.dimension());
+    std::string wrong = wrong_length("best_x", record.trace.back().x, problem.dimension());
     if (!wrong.empty()) return wrong;
   }
   if (record.returned) {
-    const std::string wrong = wrong_length("returned_x", record.returned->x, problem.dimension());
+    std::string wrong = wrong_length("returned_x", record.returned->x, problem.dimension());
     if (!wrong.empty()) return wrong;
-    const std::string beyond = out_of_reach(problem, record.returned->true_values);
+    std::string beyond = out_of_reach(problem, record.returned->true_values);
     if (!beyond.empty()) return beyond;
   }
   return best ? out_of_reach(problem, *best) : "";

@@ -266,12 +266,12 @@ bool improves(const TrueValues& first, const TrueValues& second) {
 std::string impossible_step(const RunRecord& record, std::size_t k) {
   const Improvement& step = record.trace[k];
   const TrueValues& reached = step.true_values;
-  if (const auto wrong = impossible_count("evaluations", step.evaluations, record.ledger.charged,
-                                          ", those charged");
+  if (auto wrong = impossible_count("evaluations", step.evaluations, record.ledger.charged,
+                                    ", those charged");
       !wrong.empty()) {
     return wrong;
   }
-  if (const auto wrong = impossible_time("seconds", step.seconds); !wrong.empty()) return wrong;
+  if (auto wrong = impossible_time("seconds", step.seconds); !wrong.empty()) return wrong;
   if (std::isnan(reached.objective)) return "objective is not a number";
   if (!(reached.violation >= 0)) {
     return fmt::format("violation is {}: must be >= 0", reached.violation);

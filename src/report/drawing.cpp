@@ -136,7 +136,7 @@ std::string Drawing::gradient(const std::vector<std::string>& colours) {
 
 std::string Drawing::hatching() {
   const std::string id = name_ + "-hatching";
-  const std::string fill = "url(#" + id + ")";
+  std::string fill = "url(#" + id + ")";
   if (root_.child("pattern")) return fill;
   pugi::xml_node pattern = root_.insert_child_before("pattern", paths_);
   say(pattern, "id", id);

@@ -185,7 +185,7 @@ std::vector<LegendEntry> legend_of(const Chart& chart, const Frame& frame) {
              (covers || within(own, other.second));
     });
     if (same == drawn.end()) {
-      drawn.push_back({{Of::series, {i}, {series.label}}, std::move(own)});
+      drawn.emplace_back(LegendEntry{Of::series, {i}, {series.label}}, std::move(own));
     } else {
       same->first.numbers.push_back(i);
       same->first.lines.front() += "; " + series.label;

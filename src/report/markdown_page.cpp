@@ -473,7 +473,7 @@ PageFiles page_files(const PageSource& page, const Results& results,
     } else {
       written.failures.push_back(failure_of(drawn));
     }
-    const std::string markdown = markdown_of(drawn);
+    std::string markdown = markdown_of(drawn);
     if (drawn.is_drawn()) pictures[chart.name + ".svg"] = {chart, std::move(drawn)};
     return markdown;
   });

@@ -30,9 +30,7 @@ std::optional<double> number_in(const Value& value);
 /// A number that is not finite is missing.
 template <class T>
 Value value_of(const T& x) {
-  if constexpr (std::is_same_v<T, Value>) {
-    return x;
-  } else if constexpr (std::is_same_v<T, bool>) {
+  if constexpr (std::is_same_v<T, Value> || std::is_same_v<T, bool>) {
     return x;
   } else if constexpr (std::is_integral_v<T>) {
     return static_cast<std::int64_t>(x);

@@ -85,11 +85,13 @@ using DesignDual = ceres::Jet<double, 5>;
 using SecondSpeedDual = ceres::Jet<ceres::Jet<double, 1>, 1>;
 using SecondDesignDual = ceres::Jet<ceres::Jet<double, 2>, 2>;
 
+// NOLINTBEGIN(bugprone-macro-parentheses): types and a keyword
 #define RICOCHET_DUAL_SIMULATION(keyword, Scalar)                                              \
   keyword template End<Scalar> simulate_dual<AppliedForces<Scalar>>(const BasicScene<Scalar>&, \
                                                                     DualObserver<Scalar>&);    \
   keyword template End<Scalar> simulate_dual<ProfileForces<Scalar>>(const BasicScene<Scalar>&, \
                                                                     DualObserver<Scalar>&);
+// NOLINTEND(bugprone-macro-parentheses)
 
 RICOCHET_DUAL_SIMULATION(extern, SpeedDual)
 RICOCHET_DUAL_SIMULATION(extern, DesignDual)

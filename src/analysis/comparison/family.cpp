@@ -35,7 +35,7 @@ const toml::table& families() {
 std::optional<std::string> text_of(const std::string& family, const std::string& key) {
   const toml::table* own = families()[family].as_table();
   if (own == nullptr) return {};
-  if (const auto text = (*own)[key].value<std::string>()) return text;
+  if (auto text = (*own)[key].value<std::string>()) return text;
   const auto like = (*own)["like"].value<std::string>();
   return like ? text_of(*like, key) : std::nullopt;
 }

@@ -71,7 +71,7 @@ void write_latex(const Store& store, const Completeness& completeness,
                  const std::filesystem::path& folder) {
   const std::string doubt = completeness.is_in_doubt() ? " " + as_sentence(completeness) : "";
   const auto writer = [&](const Table& table, Lines lines) {
-    const std::string text = latex_of(table, lines);
+    std::string text = latex_of(table, lines);
     if (lines != Lines::head) return text;
     return "% To be read by \\input. Needs \\usepackage{longtable}, \\usepackage{booktabs} and\n"
            "% \\usepackage{textcomp}, \\usepackage[T1]{fontenc}, and as wide a page.\n"

@@ -144,7 +144,7 @@ std::vector<Published> means_of_2010() {
   rounded.moved = rounded.gaussian_moved = Moved::rounded;
   std::vector<Published> means;
   for (const Json& row : table["rows"]) {
-    const Problem problem = benchmark_function(row["function"].get<std::string>(), dimension);
+    Problem problem = benchmark_function(row["function"].get<std::string>(), dimension);
     const OtherMean other{row["mean"].get<double>(), table["runs"].get<int>(),
                           row["deviation"].get<double>()};
     for (auto [name, options] :
@@ -210,7 +210,7 @@ Table shift_table(int runs) {
   std::vector<Entry> entries;
   for (const Solver& member : members) {
     for (const Json& row : rows) {
-      const Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
+      Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
       entries.push_back({member, [problem] { return problem; }});
     }
   }

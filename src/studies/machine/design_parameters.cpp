@@ -63,7 +63,7 @@ std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
   if (std::isfinite(scene.wall_upper)) {
     const double clearance = clearance_of(scene);
     all.push_back({"clearance", "mm", clearance / 2, clearance, 2 * clearance,
-                   [](Scene turned, double value) {
+                   [](const Scene& turned, double value) {
                      return scaled(turned, "clearance", value / clearance_of(turned));
                    }});
   }

@@ -136,15 +136,17 @@ void add_continuity(report::Results& results, const Table& changes) {
   Table table{"continuity"};  // a row for each smoothing parameter and place
   for (const auto& [column, place] :
        {std::pair("steepest", "steepest"), std::pair("strike", "new strike")}) {
-    const Table there = where(changes, [&](const Row& row) { return !is_missing(row[column]); });
-    Table part = aggregated(there, {"smoothing"},
-                            {{{"where", "place"}, "", [&](const auto&) { return value_of(place); }},
-                             {{"segments"}, "", count_of},
-                             {{"half", "median", ".1e"}, column, quantile_of(0.5)},
-                             {{"of_10", "0.9 quantile", ".1e"}, column, quantile_of(0.9)},
-                             {{"of_100", "0.99", ".1e"}, column, quantile_of(0.99)},
-                             {{"of_1000", "0.999", ".1e"}, column, quantile_of(0.999)},
-                             {{"all", "largest", ".1e"}, column, most_of}});
+    const Table there =
+        where(changes, [column = column](const Row& row) { return !is_missing(row[column]); });
+    Table part = aggregated(
+        there, {"smoothing"},
+        {{{"where", "place"}, "", [place = place](const auto&) { return value_of(place); }},
+         {{"segments"}, "", count_of},
+         {{"half", "median", ".1e"}, column, quantile_of(0.5)},
+         {{"of_10", "0.9 quantile", ".1e"}, column, quantile_of(0.9)},
+         {{"of_100", "0.99", ".1e"}, column, quantile_of(0.99)},
+         {{"of_1000", "0.999", ".1e"}, column, quantile_of(0.999)},
+         {{"all", "largest", ".1e"}, column, most_of}});
     table.columns = part.columns;
     for (auto& row : part.rows) table.add_row(std::move(row));
   }

@@ -79,7 +79,8 @@ Table gradients(const std::vector<double>& smoothings, int cells, int points) {
     tbb::parallel_for(0, each, [&](int k) {
       const double omega = std::max(fastest_speed * (k + 0.5) / each, 0.2);
       const double trend = trend_of(machine.scene, omega);
-      const double middle = (k / points + 0.5) * fastest_speed / cells;
+      const int cell = k / points;
+      const double middle = (cell + 0.5) * fastest_speed / cells;
       for (std::size_t s = 0; s < smoothings.size(); ++s) {
         const Slope found = surrogate_slope(at_speed(machine.scene, omega), smoothings[s],
                                             fastest_speed - slowest_speed);

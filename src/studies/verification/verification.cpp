@@ -55,7 +55,7 @@ bool compare_scenes(const VerificationOptions& options, report::Results& results
     table.columns = row.columns;
     table.add_row(std::move(row.rows.front()));
   };
-  const auto kinds = all_hostilities();
+  const auto& kinds = all_hostilities();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     std::vector<Comparison> own;
     for (std::size_t i = k; i < comparisons.size(); i += kinds.size())

@@ -1,11 +1,24 @@
 #include "src/analysis/outcomes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
+
+#include "tests/analysis/held_campaign.h"
+#include "tests/support/numbers.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::comparison {
 namespace {
+
+using testing::_;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::FieldsAre;
 
 Outcomes numbered(int count) {
   std::vector<Outcome> all(static_cast<std::size_t>(count));
@@ -19,18 +32,14 @@ std::vector<int> instances_of(const Outcomes& outcomes) {
   return instances;
 }
 
-TEST(Outcomes, AreEveryOneOfThem) {
-  EXPECT_TRUE(Outcomes().empty());
-  EXPECT_EQ(instances_of(Outcomes()), std::vector<int>());
-  EXPECT_EQ(instances_of(numbered(3)), (std::vector<int>{0, 1, 2}));
-  EXPECT_EQ(numbered(3).size(), 3U);
-}
-
 TEST(Outcomes, AreEveryKthOfThemAndOfThose) {
-  const Outcomes all = numbered(12);
-  const Outcomes second_seeds = all.every(3, 1, 4);
-  EXPECT_EQ(instances_of(second_seeds), (std::vector<int>{1, 4, 7, 10}));
-  EXPECT_EQ(instances_of(second_seeds.every(2, 1, 2)), (std::vector<int>{4, 10}));
+  EXPECT_TRUE(Outcomes().empty());
+  EXPECT_THAT(instances_of(Outcomes()), ElementsAre());
+  EXPECT_EQ(numbered(3).size(), 3U);
+  EXPECT_THAT(instances_of(numbered(3)), ElementsAre(0, 1, 2));
+  const Outcomes second_seeds = numbered(12).every(3, 1, 4);
+  EXPECT_THAT(instances_of(second_seeds), ElementsAre(1, 4, 7, 10));
+  EXPECT_THAT(instances_of(second_seeds.every(2, 1, 2)), ElementsAre(4, 10));
   EXPECT_EQ(second_seeds.front().instance, 1);
   EXPECT_EQ(second_seeds[2].instance, 7);
 }
@@ -42,7 +51,146 @@ TEST(Outcomes, AreSharedByCopiesThatOutliveThem) {
     part = all.every(2, 0, 2);
     EXPECT_EQ(&part[1], &all[2]);
   }
-  EXPECT_EQ(instances_of(part), (std::vector<int>{0, 2}));
+  EXPECT_THAT(instances_of(part), ElementsAre(0, 2));
+}
+
+TEST(Outcome, KeepsFeasibleImprovementsExitsAndWhatWasThrown) {
+  RunRecord record;
+  record.instance = 3;
+  record.ledger.charged = 20;
+  record.trace = {{1, 0.1, {0.25, 1.0}, {}}, {4, 0.2, {0.5, 0}, {}}, {9, 0.3, {0, 0}, {}}};
+  record.terminations = {{"lost"}, {"done"}};
+  record.failure = "broken";
+  const Outcome outcome = outcome_of(record, valley(0), 0.1);
+  EXPECT_EQ(outcome.instance, 3);
+  EXPECT_EQ(outcome.evaluations, 20);
+  EXPECT_THAT(outcome.steps, ElementsAre(FieldsAre(4, 0.2, 0.5), FieldsAre(9, 0.3, 0)))
+      << "the first point was not feasible";
+  EXPECT_EQ(outcome.terminations, (std::vector<Reason>{"lost", "done"}));
+  EXPECT_EQ(outcome.failure, "broken");
+  EXPECT_EQ(outcome.verdict.evaluations_to_solve, 9);
+}
+
+/// A run of 20 evaluations whose gaps fall to 1, that returned a point with this gap, if any.
+Outcome falling(std::optional<double> returned = {}) {
+  Outcome outcome;
+  outcome.evaluations = 20;
+  outcome.seconds = 2;
+  outcome.steps = {{2, 0.2, 9}, {5, 0.5, 4}, {8, 0.8, 1}};
+  outcome.verdict.optimality_gap = 1;
+  outcome.verdict.returned_optimality_gap = returned;
+  return outcome;
+}
+
+TEST(Outcome, HasTheStepsThatLedToTheReturnedPoint) {
+  EXPECT_THAT(steps_of(falling()), ElementsAre()) << "it returned nothing";
+  EXPECT_EQ(falling().optimality_gap(), infinity);
+  EXPECT_EQ(falling(6).optimality_gap(), 6);
+  EXPECT_THAT(steps_of(falling(6)), ElementsAre(FieldsAre(2, _, 9), FieldsAre(5, _, 6)))
+      << "the first point that is as good";
+  EXPECT_THAT(steps_of(falling(0.5)), ElementsAre(FieldsAre(2, _, 9), FieldsAre(5, _, 4),
+                                                  FieldsAre(8, _, 1), FieldsAre(20, _, 0.5)))
+      << "better than all that it evaluated";
+}
+
+TEST(Outcome, IsSolvedByWhatItReturned) {
+  Outcome outcome = falling();
+  outcome.verdict.solved = true;
+  outcome.verdict.evaluations_to_solve = 8;
+  outcome.verdict.seconds_to_solve = 0.8;
+  EXPECT_FALSE(outcome.solved());
+  EXPECT_EQ(evaluations_until_solved(outcome), 20);
+  EXPECT_EQ(seconds_until_solved(outcome), 2);
+  EXPECT_EQ(evaluations_until_solved(outcome, Criterion::evaluated), 8);
+  outcome.verdict.returned_solved = true;
+  EXPECT_TRUE(outcome.solved());
+  EXPECT_EQ(evaluations_until_solved(outcome), 8);
+  EXPECT_EQ(seconds_until_solved(outcome), 0.8);
+}
+
+TEST(ReachedBy, IsTheGapAndWhenAPointAsGoodWasEvaluated) {
+  EXPECT_THAT(reached_by(falling(6)), FieldsAre(6, 5));
+  EXPECT_THAT(reached_by(falling()), FieldsAre(infinity, infinity)) << "nothing feasible";
+  Outcome solved = falling(0.9);
+  solved.verdict.returned_solved = true;
+  solved.verdict.evaluations_to_solve = 8;
+  EXPECT_THAT(reached_by(solved), FieldsAre(0, 8)) << "accuracy beyond the tolerance is nothing";
+}
+
+/// A valley whose true values are these.
+Problem valley_of(const std::function<TrueValues(const Vector&)>& true_values) {
+  Problem problem = valley_problem();
+  problem.true_values = true_values;
+  return problem;
+}
+
+TEST(Targets, OfACountAreAllLevelsBelowThatOfARandomPoint) {
+  const auto targets = [](double count) {
+    Problem problem = valley_of([count](const Vector&) { return TrueValues{count, 0}; });
+    problem.tolerance = 0.5;
+    problem.best_known = 3;
+    return targets_of(problem);
+  };
+  EXPECT_EQ(targets(7), (Targets{0.5, 1.5, 2.5, 3.5}));
+  EXPECT_EQ(targets(4), (Targets{0.5}));
+  EXPECT_EQ(targets(3), (Targets{0.5})) << "a random point solves it";
+  EXPECT_EQ(targets(203).size(), 200U);
+}
+
+TEST(Targets, OfOtherObjectivesAre51EvenOnALogarithmicScale) {
+  const Problem problem = valley_problem();
+  const Targets targets = targets_of(problem);
+  ASSERT_EQ(targets.size(), 51U);
+  EXPECT_EQ(targets.front(), problem.tolerance);
+  EXPECT_DOUBLE_EQ(targets.back(), reference_gap(problem));
+  // Of |x - 1/2| at a uniform point the median is 1/4.
+  EXPECT_NEAR(targets.back(), 0.25, 0.15);
+  const double ratio = targets[1] / targets[0];
+  for (std::size_t k = 1; k < targets.size(); ++k) {
+    EXPECT_NEAR(targets[k] / targets[k - 1], ratio, 1e-9 * ratio);
+  }
+}
+
+TEST(Targets, AreTheToleranceAloneIfNothingIsKnownOfRandomPoints) {
+  EXPECT_EQ(
+      targets_of(valley_of([](const Vector&) -> TrueValues { throw std::runtime_error(""); })),
+      (Targets{1e-9}));
+  EXPECT_EQ(targets_of(valley_of([](const Vector&) {
+              return TrueValues{std::nan(""), 0};
+            })),
+            (Targets{1e-9}));
+}
+
+TEST(Targets, HaveAReferenceAmongFeasiblePointsIfThereAreAny) {
+  EXPECT_EQ(reference_gap(valley_of([](const Vector& x) {
+              return x[0] < 0.5 ? TrueValues{3, 0} : TrueValues{100, 1};
+            })),
+            3);
+  EXPECT_EQ(reference_gap(valley_of([](const Vector&) { return TrueValues{-5, 1}; })), 5);
+}
+
+TEST(Targets, OfToleranceZeroAreFinite) {
+  Problem problem = valley_problem();
+  problem.tolerance = 0;
+  const Targets targets = targets_of(problem);
+  EXPECT_EQ(targets.front(), 0);
+  EXPECT_TRUE(std::is_sorted(targets.begin(), targets.end()));
+  EXPECT_TRUE(std::isfinite(targets.back()));
+}
+
+TEST(Chosen, LeavesOutProblemsWhoseBestValueIsNotKnown) {
+  Problem unknown = valley_problem();
+  unknown.name = "valley-2";
+  unknown.best_known.reset();
+  const auto chosen = chosen_problems({valley_problem(), unknown}, "valley*", "--problems");
+  ASSERT_EQ(chosen.size(), 1U);
+  EXPECT_EQ(chosen[0].name, "valley");
+}
+
+TEST(Chosen, SaysWhatMayHaveBeenMeant) {
+  const std::vector<Solver> solvers = {patient("scan", 1), patient("cobyla", 1)};
+  EXPECT_THAT(complaint_of([&] { return chosen_solvers(solvers, "coblya", "--solvers"); }),
+              AllOf(testing::HasSubstr("--solvers coblya"), testing::HasSubstr("cobyla")));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -24,9 +23,10 @@ using testing::Not;
 class EntryScript : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists("/var/lib/dpkg/info/libeigen3-dev.list")) GTEST_SKIP() << "no Debian";
-    fs::create_directories(root_ / "tools");
-    make_checkout(root_ / "checkout");
+    if (const auto reason = missing({"/var/lib/dpkg/info/libeigen3-dev.list"}); !reason.empty()) {
+      GTEST_SKIP() << "no Debian: " << reason;
+    }
+    make_checkout("checkout");
     tool("cmake",
          "echo \"cmake $* in $PWD\" >> \"$LOG\"\n"
          "[[ ${CXX:-} != broken ]] || { touch -a build/release/CMakeCache.txt; exit 1; }\n"
@@ -37,17 +37,16 @@ class EntryScript : public testing::Test {
     tool("apt-get", "exit 1\n");
   }
 
-  static void make_executable(const fs::path& file, const std::string& text) {
-    write(file.parent_path(), file.filename().string(), text);
-    fs::permissions(file, fs::perms::owner_all);
+  static void make_executable(const std::string& name, const std::string& text) {
+    write(name, text);
+    fs::permissions(here() / name, fs::perms::owner_all);
   }
-  void tool(const std::string& name, const std::string& text) const {
-    make_executable(root_ / "tools" / name, "#!/usr/bin/env bash\n" + text);
+  static void tool(const std::string& name, const std::string& text) {
+    make_executable("tools/" + name, "#!/usr/bin/env bash\n" + text);
   }
-  static void make_checkout(const fs::path& folder) {
-    fs::create_directories(folder / "build/release/src/app");
-    fs::copy_file(RICOCHET_SOURCE "/ricochet", folder / "ricochet");
-    make_executable(folder / "build/release/src/app/ricochet", "#!/bin/sh\necho \"$0\"\n");
+  static void make_checkout(const std::string& folder) {
+    make_executable(folder + "/build/release/src/app/ricochet", "#!/bin/sh\necho \"$0\"\n");
+    fs::copy_file(RICOCHET_SOURCE "/ricochet", here() / folder / "ricochet");
   }
 
   /// As another user where this one may write everywhere.
@@ -56,39 +55,40 @@ class EntryScript : public testing::Test {
   }
 
   /// What the call printed; "failed" is added to it if it failed.
-  std::string script(const std::string& call) const {
-    const int status = std::system(
-        fmt::format(
-            "cd {0} && PATH={0}/tools:$PATH LOG={0}/log {1} >{0}/out 2>&1 || echo failed >>{0}/out",
-            root_.string(), call)
-            .c_str());
-    EXPECT_EQ(status, 0);
-    return read(root_ / "out");
+  static std::string script(const std::string& call) {
+    return call_in_shell(filled("exec 2>&1; PATH={0}/tools:$PATH LOG={0}/log {1} || echo failed",
+                                root(), call))
+        .out;
   }
-  std::string log() const { return read(root_ / "log"); }
+  static std::string log() { return read("log"); }
+  static fs::path root() { return fs::canonical(here()); }
 
-  fs::path root_ = fs::canonical(fresh_folder());
+  /// What the stand-in of a program of the checkout prints.
+  static std::string called(const std::string& program, const std::string& checkout = "checkout") {
+    return filled("{}/{}/build/release/src/app/{}", root(), checkout, program);
+  }
+
+  const std::string apps_ = "checkout/build/release/src/app/";
 };
 
 TEST_F(EntryScript, CallsTheProgramOfItsOwnCheckout) {
-  const std::string program = (root_ / "checkout/build/release/src/app/ricochet").string() + "\n";
+  const std::string program = called("ricochet") + "\n";
   EXPECT_THAT(script("checkout/ricochet list cases"), HasSubstr(program));
-  fs::create_directory(root_ / "bin");
-  fs::create_symlink("../checkout/ricochet", root_ / "bin" / "link");
-  EXPECT_EQ(script("bin/link list cases"), program);
-  EXPECT_EQ(script("CDPATH=/usr:. checkout/ricochet list cases"), program);
-  fs::create_directory(root_ / "other");
-  make_checkout(root_ / "other" / "checkout");
-  EXPECT_EQ(script("CDPATH=other checkout/ricochet list cases"), program);
-  EXPECT_EQ(log(), fmt::format("cmake --preset release --fresh in {}/checkout\n", root_.string()));
+  fs::create_directory(here() / "bin");
+  fs::create_symlink("../checkout/ricochet", here() / "bin/link");
+  make_checkout("other/checkout");
+  for (const char* call : {"bin/link list cases", "CDPATH=/usr:. checkout/ricochet list cases",
+                           "CDPATH=other checkout/ricochet list cases"}) {
+    EXPECT_EQ(script(call), program) << call;
+  }
+  EXPECT_EQ(log(), filled("cmake --preset release --fresh in {}/checkout\n", root()));
 }
 
 TEST_F(EntryScript, OfACopiedCheckoutConfiguresTheCopy) {
   script("checkout/ricochet list cases");
-  fs::copy(root_ / "checkout", root_ / "copy", fs::copy_options::recursive);
-  EXPECT_THAT(script("copy/ricochet list cases"),
-              HasSubstr((root_ / "copy/build/release/src/app/ricochet").string()));
-  EXPECT_THAT(log(), HasSubstr(fmt::format("--fresh in {}/copy\n", root_.string())));
+  fs::copy(here() / "checkout", here() / "copy", fs::copy_options::recursive);
+  EXPECT_THAT(script("copy/ricochet list cases"), HasSubstr(called("ricochet", "copy")));
+  EXPECT_THAT(log(), HasSubstr(filled("--fresh in {}/copy\n", root())));
   const std::string before = log();
   EXPECT_THAT(script("copy/ricochet list cases"), Not(HasSubstr("configuring")));
   EXPECT_EQ(log(), before);
@@ -97,41 +97,34 @@ TEST_F(EntryScript, OfACopiedCheckoutConfiguresTheCopy) {
 TEST_F(EntryScript, ForgetsACompilerThatWasBroken) {
   EXPECT_THAT(script("CXX=broken checkout/ricochet list cases"), HasSubstr("failed"));
   EXPECT_THAT(script("checkout/ricochet list cases"), Not(HasSubstr("failed")));
-  EXPECT_EQ(log(), fmt::format("cmake --preset release --fresh in {0}/checkout\n"
-                               "cmake --preset release --fresh in {0}/checkout\n",
-                               root_.string()));
+  const std::string configured = filled("cmake --preset release --fresh in {}/checkout\n", root());
+  EXPECT_EQ(log(), configured + configured);
 }
 
 TEST_F(EntryScript, BuildsForTheMainJobItsOwnProgramAlone) {
-  const fs::path folder = root_ / "checkout/build/release/src/app";
-  make_executable(folder / "ricochet-reproduce", "#!/bin/sh\necho \"$0 $*\"\n");
-  fs::remove(folder / "ricochet");
+  make_executable(apps_ + "ricochet-reproduce", "#!/bin/sh\necho \"$0 $*\"\n");
+  fs::remove(here() / apps_ / "ricochet");
   tool("ninja", "echo \"ninja $*\" >> \"$LOG\"\necho 'ninja: no work to do.'\n");
   EXPECT_THAT(script("checkout/ricochet reproduce --quick"),
-              HasSubstr((folder / "ricochet-reproduce").string() + " reproduce --quick"));
+              HasSubstr(called("ricochet-reproduce") + " reproduce --quick"));
   EXPECT_THAT(log(), HasSubstr("-n ricochet_reproduce\n"));
 }
 
 /// The Debian packages with solvers among all that a command installs on a system with none.
 std::set<std::string> solver_packages(const std::string& asked) {
+  static const std::regex package("(.*(dlib|petsc|nlopt|ipopt|pagmo|ceres).*-dev|python3-scipy)");
   std::set<std::string> found;
   std::istringstream words(asked);
   for (std::string word; words >> word;) {
-    if (!word.ends_with("-dev") && word != "python3-scipy") continue;
-    for (const char* library : {"dlib", "petsc", "nlopt", "ipopt", "pagmo", "ceres", "scipy"}) {
-      if (word.find(library) != std::string::npos) found.insert(word);
-    }
+    if (std::regex_match(word, package)) found.insert(word);
   }
   return found;
 }
 
 TEST_F(EntryScript, InstallsTheSameSolversForAllThatRunsThem) {
-  std::string text = read(root_ / "checkout/ricochet");
-  const std::string installed = "/var/lib/dpkg/info";
-  for (std::size_t at = 0; (at = text.find(installed, at)) != std::string::npos;) {
-    text.replace(at, installed.size(), "/nothing");
-  }
-  make_executable(root_ / "checkout/ricochet", text);
+  make_executable(
+      "checkout/ricochet",
+      std::regex_replace(read("checkout/ricochet"), std::regex("/var/lib/dpkg/info"), "/nothing"));
   const auto of = [&](const std::string& command) {
     return solver_packages(script("checkout/ricochet --no-install " + command));
   };
@@ -143,50 +136,47 @@ TEST_F(EntryScript, InstallsTheSameSolversForAllThatRunsThem) {
   }
   // The plan of the main job has no solver of these, which take 750 MB.
   for (const char* command : {"reproduce", "threshold"}) {
-    EXPECT_FALSE(of(command).contains("libdlib-dev")) << command;
-    EXPECT_FALSE(of(command).contains("petsc-dev")) << command;
-    EXPECT_FALSE(of(command).contains("python3-scipy")) << command;
+    for (const char* package : {"libdlib-dev", "petsc-dev", "python3-scipy"}) {
+      EXPECT_FALSE(of(command).contains(package)) << command << package;
+    }
   }
-  for (const char* plan : {"reproduction", "reproduction_quick"}) {
-    const std::string text_of_plan =
-        read(fs::path(RICOCHET_SOURCE) / "reports/plans" / (std::string(plan) + ".toml"));
-    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("dlib")));
-    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("tao-")));
-    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("scipy-")));
-    EXPECT_THAT(text_of_plan, testing::Not(HasSubstr("\"*\"")));
+  for (const std::string plan : {"reproduction", "reproduction_quick"}) {
+    EXPECT_THAT(read(RICOCHET_SOURCE "/reports/plans/" + plan + ".toml"),
+                AllOf(HasSubstr("solvers"), Not(HasSubstr("dlib")), Not(HasSubstr("tao-")),
+                      Not(HasSubstr("scipy-")), Not(HasSubstr("\"*\""))));
   }
 }
 
 TEST_F(EntryScript, ListsTheCommandsOfTheProgramBeforeItIsBuilt) {
-  fs::remove_all(root_ / "checkout/build");
-  const std::string help = call("--help").out;
+  fs::remove_all(here() / "checkout/build");
+  const std::string help = out_of("--help");
   const std::size_t first = help.find("\nmachine:\n");
   ASSERT_NE(first, std::string::npos);
-  const std::string commands = help.substr(first, help.find("\n\nExit codes", first) - first);
-  EXPECT_THAT(script("checkout/ricochet help"), HasSubstr(commands + "\n"));
-  EXPECT_THAT(script("checkout/ricochet help reproduce"), HasSubstr("reproduce is not built yet"));
-  EXPECT_THAT(script("checkout/ricochet --help"), HasSubstr(commands + "\n"));
-  EXPECT_THAT(script("checkout/ricochet reproduce --help"),
-              AllOf(HasSubstr(commands + "\n"), HasSubstr("reproduce is not built yet")));
-  EXPECT_FALSE(fs::exists(root_ / "log"));
+  const auto commands =
+      HasSubstr(help.substr(first, help.find("\n\nExit codes", first) - first) + "\n");
+  const auto not_built = HasSubstr("reproduce is not built yet");
+  EXPECT_THAT(script("checkout/ricochet help"), commands);
+  EXPECT_THAT(script("checkout/ricochet help reproduce"), not_built);
+  EXPECT_THAT(script("checkout/ricochet --help"), commands);
+  EXPECT_THAT(script("checkout/ricochet reproduce --help"), AllOf(commands, not_built));
+  EXPECT_FALSE(exists("log"));
 }
 
 TEST_F(EntryScript, BuildsNothingForHelp) {
-  const fs::path folder = root_ / "checkout/build/release/src/app";
-  EXPECT_EQ(script("checkout/ricochet list --help"), (folder / "ricochet").string() + "\n");
-  EXPECT_EQ(script("checkout/ricochet --help"), (folder / "ricochet").string() + "\n");
-  EXPECT_EQ(script("checkout/ricochet help list"), (folder / "ricochet").string() + "\n");
+  const std::string program = called("ricochet") + "\n";
+  for (const std::string arguments : {"list --help", "--help", "help list"}) {
+    EXPECT_EQ(script("checkout/ricochet " + arguments), program) << arguments;
+  }
   EXPECT_THAT(script("checkout/ricochet help test"), HasSubstr("test --sanitize"));
   EXPECT_THAT(script("checkout/ricochet surrogate -h"), HasSubstr("surrogate is not built yet"));
-  make_executable(folder / "ricochet-studies", "#!/bin/sh\n");
-  EXPECT_EQ(script("checkout/ricochet surrogate -h"), (folder / "ricochet").string() + "\n");
-  EXPECT_FALSE(fs::exists(root_ / "log"));
+  make_executable(apps_ + "ricochet-studies", "#!/bin/sh\n");
+  EXPECT_EQ(script("checkout/ricochet surrogate -h"), program);
+  EXPECT_FALSE(exists("log"));
 }
 
 TEST_F(EntryScript, IsCalledWhereAnotherUserBuilt) {
   script("checkout/ricochet list");
-  const fs::path built = root_ / "checkout/build/release";
-  for (const auto& entry : fs::recursive_directory_iterator(root_)) {
+  for (const auto& entry : fs::recursive_directory_iterator(here())) {
     fs::permissions(entry.path(),
                     fs::perms::all & ~(fs::perms::owner_write | fs::perms::group_write |
                                        fs::perms::others_write));
@@ -194,13 +184,14 @@ TEST_F(EntryScript, IsCalledWhereAnotherUserBuilt) {
   const std::string call = "env HOME=/tmp " + as_another() + "checkout/ricochet list";
   EXPECT_THAT(script(call),
               AllOf(HasSubstr("build/release/src/app/ricochet\n"), Not(HasSubstr("failed"))));
-  fs::permissions(root_ / "tools",
+  fs::permissions(here() / "tools",
                   fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(here() / "tools/ninja", fs::perms::all);
   tool("ninja", "echo '[1/1] Linking'\n");
-  fs::permissions(root_ / "tools/ninja", fs::perms::all);
+  fs::permissions(here() / "tools/ninja", fs::perms::all);
   EXPECT_THAT(script(call), AllOf(HasSubstr("is out of date, and belongs to "),
                                   HasSubstr("make a clone of your own"), HasSubstr("failed")));
-  fs::permissions(built, fs::perms::owner_all);
+  fs::permissions(here() / "checkout/build/release", fs::perms::owner_all);
 }
 
 }  // namespace

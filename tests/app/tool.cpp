@@ -1,6 +1,5 @@
 #include "tests/app/tool.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,51 +9,73 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/files.h"
+
 namespace ricochet::cli {
+namespace {
 
-// What a command writes where its user stands is no other test's.
-Outcome call_in_shell(const std::string& command) {
+namespace fs = std::filesystem;
+
+/// Where the current test works: its folder is .here, beside what its last command wrote.
+std::string stem() {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string stem =
-      testing::TempDir() + fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
-  std::filesystem::create_directories(stem + ".here");
-  const int status = std::system(
-      fmt::format("cd {}.here && ({}) >{}.out 2>{}.err", stem, command, stem, stem).c_str());
-  return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
+  std::string name = fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
+  std::ranges::replace(name, '/', '_');
+  return testing::TempDir() + name;
 }
 
-std::filesystem::path fresh_folder() {
-  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) /
-                      fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
+/// Gives each test an empty folder.
+class Folders : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo&) override {
+    fs::remove_all(here());
+    fs::create_directories(here());
+  }
+};
+
+[[maybe_unused]] const bool listening = [] {
+  testing::UnitTest::GetInstance()->listeners().Append(new Folders);
+  return true;
+}();
+
+}  // namespace
+
+fs::path here() {
+  return stem() + ".here";
 }
 
-std::string read(const std::filesystem::path& path) {
+std::string read(const fs::path& file) {
   std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
+  text << std::ifstream(here() / file).rdbuf();
   return text.str();
 }
 
-std::filesystem::path write(const std::filesystem::path& folder, const std::string& name,
-                            const std::string& text) {
-  std::ofstream(folder / name) << text;
-  return folder / name;
+std::string write(const std::string& name, const std::string& text) {
+  write_file(here() / name, text);
+  return name;
 }
 
-Outcome call(const std::string& arguments) {
-  return call_in_shell(fmt::format("{} {}", RICOCHET_PROGRAM, arguments));
+bool exists(const fs::path& file) {
+  return fs::exists(here() / file);
 }
 
-Outcome call_with_output(const std::string& arguments, const std::string& output) {
-  return call_in_shell(fmt::format("{} {} {}", RICOCHET_PROGRAM, arguments, output));
+Outcome call_in_shell(const std::string& command) {
+  const std::string folder = fs::path(RICOCHET_PROGRAM).parent_path();
+  const int status = std::system(fmt::format("cd {0}.here && (PATH={1}:$PATH; {2}\n) >{0}.out "
+                                             "2>{0}.err",
+                                             stem(), folder, command)
+                                     .c_str());
+  return {WEXITSTATUS(status), read(stem() + ".out"), read(stem() + ".err")};
+}
+
+std::vector<Json> json_lines(const std::string& text) {
+  std::vector<Json> all;
+  for (const std::string& line : lines_of(text)) all.push_back(Json::parse(line));
+  return all;
 }
 
 Outcome call_interrupted(const std::string& signal, const std::string& arguments, int seconds) {
-  return call_in_shell(fmt::format("timeout --preserve-status --signal={} {} {} {}", signal,
-                                   seconds, RICOCHET_PROGRAM, arguments));
+  return call_in_shell(fmt::format("timeout --preserve-status --signal={} {} ricochet {}", signal,
+                                   seconds, arguments));
 }
 
 void expect_refusal(const std::string& arguments, const std::string& complaint) {
@@ -63,7 +84,24 @@ void expect_refusal(const std::string& arguments, const std::string& complaint) 
   EXPECT_EQ(outcome.out, "") << arguments;
   EXPECT_THAT(outcome.err, testing::HasSubstr(complaint)) << arguments;
   EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: ")) << arguments;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
+
+std::string no_terminal() {
+  const Outcome tried =
+      call_in_shell("script -qec 'test -t 1 && stty cols 60' /dev/null </dev/null");
+  return tried.exit_code == 0 ? "" : "there is no terminal: " + tried.err + tried.out;
+}
+
+std::string missing(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (!fs::exists(file)) return "there is no " + file;
+  }
+  return "";
+}
+
+std::string no_other_programs() {
+  return missing({"/proc/self/exe"});
 }
 
 }  // namespace ricochet::cli

@@ -2,60 +2,70 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "tests/core/hessian_check.h"
 #include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {
 
-TEST(Instance, ZeroIsTheProblemAsStated) {
+bool is_inside(const Problem& problem, const Vector& x) {
+  return (x.array() >= problem.lower.array()).all() && (x.array() <= problem.upper.array()).all();
+}
+
+/// Where in its box, from 0 to 1, instances 1 to 40 of a problem have their best point's first
+/// coordinate.
+std::vector<double> places_of_best_points(const Problem& problem) {
+  std::vector<double> places;
+  for (int number = 1; number <= 40; ++number) {
+    const Problem moved = instance(problem, number);
+    EXPECT_TRUE(is_inside(moved, moved.start) && is_inside(moved, *moved.best_point));
+    places.push_back(((*moved.best_point)[0] - moved.lower[0]) / (moved.upper[0] - moved.lower[0]));
+  }
+  return places;
+}
+
+void expect_spread(const std::vector<double>& places, double least, double most, double below,
+                   double above) {
+  const auto [lowest, highest] = std::ranges::minmax(places);
+  EXPECT_GE(lowest, least);
+  EXPECT_LT(lowest, below);
+  EXPECT_LE(highest, most);
+  EXPECT_GT(highest, above);
+}
+
+TEST(Instance, ZeroIsTheProblemAsStatedAndNegativeOnesAreNone) {
   const Problem problem = parabola(2);
   const Problem same = instance(problem, 0);
   EXPECT_EQ(same.lower, problem.lower);
   EXPECT_EQ(same.evaluate(problem.start).objective, problem.evaluate(problem.start).objective);
-}
-
-TEST(Instance, RefusesANegativeNumber) {
   EXPECT_THROW(instance(parabola(1), -1), std::invalid_argument);
 }
 
-/// Where in the unit box a point lies.
-double place(const Problem& problem, double x) {
-  return (x - problem.lower[0]) / (problem.upper[0] - problem.lower[0]);
-}
-
 TEST(Instance, MovesTheOptimumWithinTheBoxAndReflectsIt) {
-  double lowest = 1;
-  double highest = 0;
+  expect_spread(places_of_best_points(parabola(1)), 0, 1, 0.15, 0.85);
   for (int number = 1; number <= 40; ++number) {
     const Problem moved = instance(parabola(1), number);
     const double width = moved.upper[0] - moved.lower[0];
     EXPECT_GE(width, 0.5);
     EXPECT_LE(width, 1);
-    const double best = (*moved.best_point)[0];
     EXPECT_NEAR(moved.evaluate(*moved.best_point).objective, 0.0, 1e-12);
-    lowest = std::min(lowest, place(moved, best));
-    highest = std::max(highest, place(moved, best));
-    EXPECT_GE(place(moved, moved.start[0]), 0);
-    EXPECT_LE(place(moved, moved.start[0]), 1);
   }
-  EXPECT_GE(lowest, 0);
-  EXPECT_LE(highest, 1);
-  EXPECT_LT(lowest, 0.15);
-  EXPECT_GT(highest, 0.85);
 }
 
 TEST(Instance, StaysWithinTheBoxOfAProblemThatIsNotDefinedOutside) {
   Problem problem = parabola(2);
-  problem.evaluate = [evaluate = problem.evaluate](const Vector& x) {
-    EXPECT_TRUE((x.array() >= 0).all() && (x.array() <= 1).all());
-    return evaluate(x);
+  problem.evaluate = [problem](const Vector& x) {
+    EXPECT_TRUE(is_inside(problem, x));
+    return problem.evaluate(x);
   };
   for (int number = 1; number <= 20; ++number) {
     const Problem moved = instance(problem, number);
     for (const Vector& corner : {moved.lower, moved.upper}) moved.evaluate(corner);
-    EXPECT_TRUE((moved.best_point->array() >= moved.lower.array()).all());
-    EXPECT_TRUE((moved.best_point->array() <= moved.upper.array()).all());
+    EXPECT_TRUE(is_inside(moved, *moved.best_point));
   }
 }
 
@@ -72,30 +82,34 @@ Problem bowl(Eigen::Index n) {
     check(x);
     return Values{x.squaredNorm(), {}};
   };
-  problem.differentiate = [check, n](const Vector& x) {
-    check(x);
-    return Derivatives{{x.squaredNorm(), {}}, 2 * x, Matrix(0, n)};
-  };
+  differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * x; });
   return problem;
 }
 
 TEST(Instance, MovesABestPointOffTheEndBeyondWhichTheProblemIsMirrored) {
-  double lowest = 1, highest = 0;
+  expect_spread(places_of_best_points(bowl(2)), 0.1 - 1e-12, 0.9 + 1e-12, 0.25, 0.75);
   for (int number = 1; number <= 40; ++number) {
-    const Problem moved = instance(bowl(2), number);
-    const Vector best = *moved.best_point;
-    EXPECT_EQ(moved.evaluate(best).objective, 0);
-    lowest = std::min(lowest, place(moved, best[0]));
-    highest = std::max(highest, place(moved, best[0]));
-    for (const Vector& x : {moved.lower, moved.upper, moved.start}) {
-      EXPECT_NEAR(moved.evaluate(x).objective, (x - best).squaredNorm(), 1e-12);
-      EXPECT_LT((moved.differentiate(x).gradient - 2 * (x - best)).norm(), 1e-12);
+    EXPECT_EQ(instance(bowl(2), number).evaluate(*instance(bowl(2), number).best_point).objective,
+              0);
+  }
+}
+
+/// Both are the square of the distance from their best point, wherever that is moved.
+TEST(Instance, KeepsDerivativesAndResidualsConsistent) {
+  for (const Problem& problem : {bowl(2), parabola(3)}) {
+    for (int number = 1; number <= 40; ++number) {
+      const Problem moved = instance(problem, number);
+      for (const Vector& x : {moved.lower, moved.upper, moved.start}) {
+        const Vector way = x - *moved.best_point;
+        EXPECT_NEAR(moved.evaluate(x).objective, way.squaredNorm(), 1e-12);
+        EXPECT_LT((moved.differentiate(x).gradient - 2 * way).norm(), 1e-12);
+        if (problem.name == "bowl") continue;
+        const Residuals r = moved.residuals(x);
+        EXPECT_NEAR(r.values.squaredNorm() / 2, way.squaredNorm(), 1e-12);
+        EXPECT_LT((r.jacobian.transpose() * r.values - 2 * way).norm(), 1e-12);
+      }
     }
   }
-  EXPECT_GE(lowest, 0.1 - 1e-12);
-  EXPECT_LE(highest, 0.9 + 1e-12);
-  EXPECT_LT(lowest, 0.25);
-  EXPECT_GT(highest, 0.75);
 }
 
 /// As a shell does, but for a problem that may hang or crash: that one is named.
@@ -117,45 +131,18 @@ TEST(Instance, KeepsTheBoxWhereNoBestPointIsKnown) {
   EXPECT_NEAR(moved.upper[0] - moved.lower[0], 1, 1e-12);
 }
 
-TEST(Instance, KeepsTheDerivativesConsistent) {
-  for (int number = 1; number <= 10; ++number) {
-    const Problem moved = instance(parabola(3), number);
-    const Vector x = moved.start;
-    const Derivatives d = moved.differentiate(x);
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      Vector up = x;
-      Vector down = x;
-      up[i] += 1e-6;
-      down[i] -= 1e-6;
-      const double slope =
-          (moved.evaluate(up).objective - moved.evaluate(down).objective) / (up[i] - down[i]);
-      EXPECT_NEAR(d.gradient[i], slope, 1e-8);
-    }
-  }
-}
-
-TEST(Instance, KeepsTheResidualsConsistent) {
-  for (int number = 1; number <= 10; ++number) {
-    const Problem moved = instance(parabola(3), number);
-    const Residuals r = moved.residuals(moved.start);
-    const Derivatives d = moved.differentiate(moved.start);
-    EXPECT_NEAR(r.values.squaredNorm() / 2, d.values.objective, 1e-12);
-    EXPECT_LT((r.jacobian.transpose() * r.values - d.gradient).norm(), 1e-12);
-  }
-}
-
 /// A valley that no axis follows, with a bump outside the box on the side away from its best point.
 Problem valley() {
   Problem problem = parabola(3);
   problem.name = "valley";
   problem.rotates = true;
-  const Vector steepness = (Vector(3) << 1, 10, 100).finished();
+  const Vector steepness{{1, 10, 100}};
   problem.evaluate = [steepness](const Vector& x) {
     return Values{(steepness.array() * (x.array() - 0.25).square()).sum(), {}};
   };
-  problem.differentiate = [steepness, evaluate = problem.evaluate](const Vector& x) {
-    return Derivatives{evaluate(x), 2 * steepness.array() * (x.array() - 0.25), Matrix(0, 3)};
-  };
+  differentiate_by(problem, [steepness](const Vector& x) -> Vector {
+    return 2 * steepness.array() * (x.array() - 0.25);
+  });
   problem.residuals = [steepness](const Vector& x) {
     const Vector root = (2 * steepness).cwiseSqrt();
     return Residuals{root.array() * (x.array() - 0.25), root.asDiagonal()};
@@ -185,8 +172,7 @@ TEST(Instance, TurnsAProblemAboutItsBestPoint) {
     const double h = 1e-3;
     double trace = 0;
     for (Eigen::Index i = 0; i < 3; ++i) {
-      Vector up = *moved.best_point;
-      up[i] += h;
+      const Vector up = *moved.best_point + h * Vector::Unit(3, i);
       const double curvature = 2 * moved.evaluate(up).objective / (h * h);
       for (const double own : {2.0, 20.0, 200.0}) EXPECT_GT(std::abs(curvature - own), 1e-3 * own);
       trace += curvature;
@@ -240,25 +226,15 @@ TEST(Instance, KeepsTheSecondDerivativesConsistentHoweverItIsMovedReflectedAndTu
     }
     EXPECT_GT(compared, 90);
   }
-}
-
-TEST(Instance, HasNoSecondDerivativesWhereTheProblemHasNone) {
-  EXPECT_FALSE(instance(parabola(2), 1).lagrangian_hessian);
+  EXPECT_FALSE(instance(parabola(2), 1).lagrangian_hessian) << "which has none";
 }
 
 TEST(Instance, MovesTheBoxAtWillWhereTheProblemIsDefinedOutside) {
-  double lowest = 1;
-  double highest = 0;
+  expect_spread(places_of_best_points(valley()), 0.1 - 1e-12, 0.9 + 1e-12, 0.2, 0.8);
   for (int number = 1; number <= 40; ++number) {
     const Problem moved = instance(valley(), number);
     EXPECT_NEAR((moved.upper - moved.lower).minCoeff(), 1, 1e-12);
-    lowest = std::min(lowest, place(moved, (*moved.best_point)[0]));
-    highest = std::max(highest, place(moved, (*moved.best_point)[0]));
   }
-  EXPECT_GE(lowest, 0.1 - 1e-12);
-  EXPECT_LE(highest, 0.9 + 1e-12);
-  EXPECT_LT(lowest, 0.2);
-  EXPECT_GT(highest, 0.8);
 }
 
 TEST(Instance, KeepsAPublishedStartAndItsMultiples) {
@@ -270,8 +246,7 @@ TEST(Instance, KeepsAPublishedStartAndItsMultiples) {
     const double scale = number % 2 == 1 ? 1 : 10;
     EXPECT_NEAR(moved.evaluate(moved.start).objective,
                 problem.evaluate(scale * problem.start).objective, 1e-8 * scale * scale);
-    EXPECT_TRUE((moved.start.array() >= moved.lower.array()).all());
-    EXPECT_TRUE((moved.start.array() <= moved.upper.array()).all());
+    EXPECT_TRUE(is_inside(moved, moved.start));
   }
 }
 

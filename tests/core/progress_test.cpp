@@ -1,52 +1,201 @@
 #include "src/core/progress.h"
 
 #include <gtest/gtest.h>
-#include <pty.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
+#include <thread>
+
+#include "ricochet/evaluator.h"
+#include "src/core/in_parallel.h"
+#include "src/core/time_limit.h"
+#include "tests/support/numbers.h"
+#include "tests/support/pipe.h"
 
 namespace ricochet {
 namespace {
 
+using testing::internal::CaptureStderr;
+using testing::internal::GetCapturedStderr;
+
 TEST(Progress, IsSilentWhereStandardErrorIsNoTerminal) {
-  testing::internal::CaptureStderr();
+  CaptureStderr();
   {
     Progress progress("counting", 3);
     for (int i = 0; i < 3; ++i) progress.advance(1);
   }
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(GetCapturedStderr(), "");
 }
 
 TEST(Progress, AnnouncesALineThatIsSafeOnATerminal) {
-  testing::internal::CaptureStderr();
+  CaptureStderr();
   Progress::announce("starts \x1b[31m\nsh");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "starts \\x1b[31m\\x0ash\n");
-}
-
-/// What it shows on a terminal of so many columns.
-std::string shown_on_terminal(unsigned short columns) {
-  int ours = -1;
-  int terminal = -1;
-  const winsize size{24, columns, 0, 0};
-  EXPECT_EQ(openpty(&ours, &terminal, nullptr, nullptr, &size), 0);
-  const int standard_error = dup(STDERR_FILENO);
-  dup2(terminal, STDERR_FILENO);
-  { Progress progress("searching best values", 1); }
-  dup2(standard_error, STDERR_FILENO);
-  std::string shown(1000, '\0');
-  shown.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(ours, shown.data(), 1000))));
-  for (const int each : {ours, terminal, standard_error}) close(each);
-  return shown;
+  EXPECT_EQ(GetCapturedStderr(), "starts \\x1b[31m\\x0ash\n");
 }
 
 TEST(Progress, FitsIntoANarrowTerminal) {
-  EXPECT_NE(shown_on_terminal(80).find("[   "), std::string::npos);
-  EXPECT_NE(shown_on_terminal(0).find("[   "), std::string::npos) << "of unknown width";
-  EXPECT_EQ(shown_on_terminal(40), "\r\033[Ksearching best values 0 %  0.0 s\r\n");
-  EXPECT_EQ(shown_on_terminal(20), "\r\033[Ksearching best valu\r\n");
+  const auto shown = [](unsigned short columns) {
+    return shown_on_terminal([] { Progress progress("searching best values", 1); }, columns);
+  };
+  EXPECT_NE(shown(80).find("[   "), std::string::npos);
+  EXPECT_NE(shown(0).find("[   "), std::string::npos) << "of unknown width";
+  EXPECT_EQ(shown(40), "\r\033[Ksearching best values 0 %  0.0 s\r\n");
+  EXPECT_EQ(shown(20), "\r\033[Ksearching best valu\r\n");
+}
+
+TEST(Warning, IsWrittenOnceForEachTextAndSteersNoTerminal) {
+  CaptureStderr();
+  for (const char* text :
+       {"a.toml: count.slowest is now called counting_limit",
+        "b.toml: count.slowest is now called counting_limit",
+        "a.toml: count.slowest is now called counting_limit", "a\x1b[31m.toml: too long"}) {
+    warn(text);
+  }
+  EXPECT_EQ(GetCapturedStderr(),
+            "warning: a.toml: count.slowest is now called counting_limit\n"
+            "warning: b.toml: count.slowest is now called counting_limit\n"
+            "warning: a\\x1b[31m.toml: too long\n");
+}
+
+/// Death tests start the program anew, where no other thread has begun.
+class Interruption : public testing::Test {
+ protected:
+  void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
+};
+
+/// Interrupts itself, in a process of its own, and waits for what comes of it.
+[[noreturn]] void interrupt_itself(int signal) {
+  std::signal(signal, SIG_DFL);  // a shell's background jobs ignore some, and so would this one
+  const AtInterruption first([] { std::fputs("second\n", stderr); }, "go on so");
+  const AtInterruption last([] { std::fputs("first\n", stderr); });
+  {
+    const AtInterruption over([] { std::fputs("never\n", stderr); });
+  }
+  end_tidily_when_interrupted();
+  {
+    const Uninterrupted whole;
+    kill(getpid(), signal);
+    usleep(100'000);
+    std::fputs("whole\n", stderr);
+  }
+  sleep(10);
+  std::exit(0);
+}
+
+TEST_F(Interruption, EndsTheProgramTidily) {
+  const char* said = "^whole\nfirst\nsecond\nricochet: interrupted; go on so\n$";
+  EXPECT_EXIT(interrupt_itself(SIGINT), testing::ExitedWithCode(130), said);
+  EXPECT_EXIT(interrupt_itself(SIGTERM), testing::ExitedWithCode(143), said);
+}
+
+TEST_F(Interruption, ThatReachesTheProgramAndItsGroupIsOne) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGINT, SIG_DFL);
+        end_tidily_when_interrupted();
+        kill(getpid(), SIGINT);
+        usleep(10'000);
+        kill(getpid(), SIGINT);
+        sleep(10);
+      },
+      testing::ExitedWithCode(130), "^ricochet: interrupted\n$");
+}
+
+TEST_F(Interruption, ThatIsIgnoredStaysIgnored) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGINT, SIG_IGN);
+        end_tidily_when_interrupted();
+        kill(getpid(), SIGINT);
+        usleep(100'000);
+        std::exit(7);
+      },
+      testing::ExitedWithCode(7), "^$");
+}
+
+/// Checks as often as it takes to look at the clock.
+void check_for_long() {
+  for (int i = 0; i < 1000; ++i) check_time_limit();
+}
+
+TEST(TimeLimit, EndsWorkWhenItIsReached) {
+  EXPECT_NO_THROW(check_for_long());
+  {
+    TimeLimit limit(1e-9);
+    EXPECT_TRUE(limit.is_reached());
+    EXPECT_THROW(check_for_long(), TimeLimitReached);
+    std::thread([] { EXPECT_NO_THROW(check_for_long()); }).join();
+  }
+  EXPECT_NO_THROW(check_for_long()) << "it has ended";
+  const TimeLimit long_one(infinity);
+  EXPECT_NO_THROW(check_for_long());
+}
+
+TEST(TimeLimit, InsideAnotherTheFirstToEndHolds) {
+  const TimeLimit outer(1e-9);
+  const TimeLimit inner(infinity);
+  EXPECT_THROW(check_for_long(), TimeLimitReached);
+}
+
+TEST(TimeLimit, HoldsForSharedWork) {
+  const TimeLimit limit(1e-9);
+  EXPECT_THROW(in_parallel("work", 100, [](std::size_t) { check_for_long(); }), TimeLimitReached);
+  std::atomic<int> stopped = 0;
+  in_parallel("work", 100, [&](std::size_t) {
+    try {
+      check_for_long();
+    } catch (const TimeLimitReached&) {
+      ++stopped;
+    }
+  });
+  EXPECT_EQ(stopped, 100);
+}
+
+TEST(TimeLimit, KnowsHowFarTheWorkIs) {
+  const TimeLimit limit(infinity);
+  EXPECT_EQ(limit.stage(), nullptr);
+  report_progress("first", 0.25);
+  EXPECT_EQ(limit.stage(), std::string("first"));
+  EXPECT_EQ(limit.share(), 0.25);
+  std::atomic<std::size_t> sum = 0;
+  in_parallel("second", 10, [&](std::size_t i) {
+    report_progress("part", 0.5);
+    sum += i;
+  });
+  EXPECT_EQ(sum, 45U) << "each once";
+  EXPECT_EQ(limit.stage(), std::string("second"));
+  EXPECT_EQ(limit.share(), 1);
+}
+
+/// Keeps the processor busy for so long [s].
+void work(double seconds) {
+  const double end = processor_seconds() + seconds;
+  while (processor_seconds() < end) {
+  }
+}
+
+TEST(Stopwatch, TellsTheTimeOfThisThreadWithoutWhatIsToBeLeftOut) {
+  Stopwatch stopwatch;
+  stopwatch.leave_out([] { work(0.02); });
+  EXPECT_LT(stopwatch.read(), 0.01);
+  work(0.01);
+  EXPECT_GE(stopwatch.read(), 0.01);
+}
+
+TEST(Stopwatch, GlancesCatchUpWithinSixtyFour) {
+  Stopwatch stopwatch;
+  work(1e-3);
+  EXPECT_GE(stopwatch.glance(), 1e-3) << "the first glance reads";
+  for (int i = 0; i < 100'000; ++i) ASSERT_GE(stopwatch.glance(), 0);
+  const double before = stopwatch.read();
+  work(1e-3);
+  int glances = 0;
+  while (stopwatch.glance() <= before) ASSERT_LT(++glances, 64);
+  EXPECT_GE(stopwatch.glance(), before + 1e-3);
 }
 
 }  // namespace

@@ -1,82 +1,148 @@
 #include "ricochet/run.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "src/core/evaluator.h"
 #include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {
 
+using testing::ElementsAre;
+using testing::Pair;
+
+/// The true objectives of the trace after each of its evaluations.
+std::vector<std::pair<std::int64_t, double>> objectives(const Scorer& scorer) {
+  std::vector<std::pair<std::int64_t, double>> all;
+  for (const Improvement& step : scorer.trace()) {
+    all.emplace_back(step.evaluations, step.true_values.objective);
+  }
+  return all;
+}
+
+TEST(Scorer, ScoresResidualsByTheTrueValuesAndNotByTheirSquares) {
+  Problem problem = parabola(1);
+  problem.residuals = [](const Vector& x) {
+    return Residuals{x.array() - 0.75, Matrix::Identity(1, 1)};
+  };
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {100}, &scorer);
+  for (const double x : {0.75, 0.5}) ASSERT_TRUE(evaluator.residuals(Vector::Constant(1, x)));
+  EXPECT_THAT(objectives(scorer), ElementsAre(Pair(2, 0.25), Pair(4, 0.0625)));
+  EXPECT_EQ(evaluator.ledger().values, 0) << "the solver has asked for none";
+
+  problem.true_values = [](const Vector& x) { return TrueValues{-x[0], 0.0}; };
+  Scorer judge(problem);
+  Evaluator judged(problem, {100}, &judge);
+  ASSERT_TRUE(judged.residuals(Vector::Constant(1, 0.5)));
+  EXPECT_THAT(objectives(judge), ElementsAre(Pair(2, -0.5)));
+}
+
+TEST(Scorer, TracesOnlyImprovementsAndScoresThemByTheirTrueValues) {
+  Problem problem = parabola(1);
+  problem.true_values = [](const Vector& x) { return TrueValues{std::floor(10 * x[0]), 0.0}; };
+  std::vector<double> told;
+  Scorer scorer(problem, [&](const Improvement& step) { told.push_back(step.x[0]); });
+  Evaluator evaluator(problem, {10}, &scorer);
+  for (const double x : {0.9, 0.5, 0.55, 0.7, 0.05}) {
+    evaluator.objective(Vector::Constant(1, x));
+    EXPECT_EQ(told.back(), scorer.best()->x[0]) << "told at once";
+  }
+  EXPECT_THAT(objectives(scorer), ElementsAre(Pair(1, 9), Pair(2, 5), Pair(5, 0)));
+  EXPECT_THAT(told, ElementsAre(0.9, 0.5, 0.05));
+}
+
+TEST(Scorer, NeverTracesAPointWhoseTrueValuesOrWhatTheSolverWasToldAreNoNumber) {
+  Problem problem = parabola(1);
+  problem.true_values = [](const Vector& x) {
+    return TrueValues{x[0] < 0.25 ? quiet_nan : 3.0, x[0] < 0.5 ? quiet_nan : 0.0};
+  };
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] > 0.5 && x[0] < 0.75 ? quiet_nan : 7.0, {}};
+  };
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {10}, &scorer);
+  for (const double x : {0.1, 0.3, 0.6, 0.9}) evaluator.objective(Vector::Constant(1, x));
+  EXPECT_THAT(objectives(scorer), ElementsAre(Pair(4, 3.0)));
+  EXPECT_EQ(evaluator.ledger().charged, 4) << "all are paid the same";
+}
+
+TEST(Scorer, PrefersAFeasiblePointToALowerObjective) {
+  Problem problem = parabola(1);
+  problem.constraints = 1;
+  problem.evaluate = [](const Vector& x) { return Values{x[0], Vector::Constant(1, 0.5 - x[0])}; };
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {10}, &scorer);
+  for (const double x : {0.1, 0.9, 0.2}) evaluator.values(Vector::Constant(1, x));
+  EXPECT_EQ(scorer.best()->true_values.objective, 0.9);
+  EXPECT_EQ(scorer.best()->true_values.violation, 0.0);
+}
+
+using Solve = std::function<SolverTermination(Evaluator&, const Vector&, Random&)>;
+
+Solver solver_that(const Solve& solves) {
+  Solver solver;
+  solver.name = "that";
+  solver.solve = solves;
+  return solver;
+}
+
 /// Asks `points` times for uniform points, then returns.
 Solver sampler(int points) {
-  Solver solver;
-  solver.name = "sampler";
-  solver.solve = [points](Evaluator& evaluator, const Vector& start, Random& random) {
+  return solver_that([points](Evaluator& evaluator, const Vector& start, Random& random) {
     Vector x = start;
     for (int i = 0; i < points && evaluator.objective(x); ++i) {
       for (double& c : x) c = std::uniform_real_distribution<double>(0, 1)(random);
     }
     return SolverTermination{"done"};
-  };
-  return solver;
+  });
 }
 
-TEST(Run, RestartsUntilTheBudgetIsSpent) {
+TEST(Run, RestartsUntilTheBudgetIsSpentOrTenRestartsAskForNothing) {
   const RunRecord record = run(parabola(2), sampler(10), {55}, 0);
   EXPECT_EQ(record.ledger.charged, 55);
   EXPECT_EQ(record.terminations.size(), 6U);
   EXPECT_EQ(record.termination_reason, TerminationReason::evaluations);
-}
-
-TEST(Run, StopsWhenTenRestartsAskForNothing) {
-  const RunRecord record = run(parabola(2), sampler(0), {55}, 0);
-  EXPECT_EQ(record.terminations.size(), 10U);
-  EXPECT_EQ(record.ledger.charged, 0);
-}
-
-TEST(Run, GoesOnAfterARestartThatAskedForNothing) {
-  Solver lazy = sampler(1);
+  const RunRecord idle = run(parabola(2), sampler(0), {55}, 0);
+  EXPECT_EQ(idle.ledger.charged, 0);
+  EXPECT_EQ(idle.terminations.size(), 10U);
   int calls = 0;
-  lazy.solve = [&calls](Evaluator& evaluator, const Vector& start, Random&) {
+  const Solver lazy = solver_that([&calls](Evaluator& evaluator, const Vector& start, Random&) {
     if (++calls % 3 != 0) evaluator.objective(start);
     return SolverTermination{"done"};
+  });
+  EXPECT_EQ(run(parabola(2), lazy, {55}, 0).ledger.charged, 55);
+}
+
+TEST(Run, GivesTheSameTraceForTheSameSeedAndEverySolverTheSameStarts) {
+  const auto points = [](const Solver& solver, int number) {
+    std::vector<Vector> all;
+    for (const Improvement& step : run(parabola(2), solver, {50}, number).trace)
+      all.push_back(step.x);
+    return all;
   };
-  const RunRecord record = run(parabola(2), lazy, {55}, 0);
-  EXPECT_EQ(record.ledger.charged, 55);
-}
-
-TEST(Run, GivesTheSameTraceForTheSameSeedAndAnotherForAnotherRun) {
-  const RunRecord a = run(parabola(2), sampler(10), {50}, 1);
-  const RunRecord b = run(parabola(2), sampler(10), {50}, 1);
-  const RunRecord c = run(parabola(2), sampler(10), {50}, 2);
-  ASSERT_EQ(a.trace.size(), b.trace.size());
-  for (std::size_t i = 0; i < a.trace.size(); ++i) EXPECT_EQ(a.trace[i].x, b.trace[i].x);
-  EXPECT_NE(a.trace.back().x, c.trace.back().x);
-}
-
-TEST(Run, GivesEverySolverTheSameStarts) {
+  const std::vector<Vector> one = points(sampler(10), 1);
+  EXPECT_EQ(points(sampler(10), 1), one);
+  EXPECT_NE(points(sampler(10), 2).back(), one.back());
   Solver other = sampler(1);
   other.name = "another";
-  const RunRecord a = run(parabola(2), sampler(1), {4}, 1);
-  const RunRecord b = run(parabola(2), other, {4}, 1);
-  EXPECT_EQ(a.trace.front().x, b.trace.front().x);
-}
-
-/// Looks at 0.25, the best point, but ends at 0.75.
-Solver modest() {
-  Solver solver = sampler(0);
-  solver.solve = [](Evaluator& evaluator, const Vector&, Random&) {
-    evaluator.objective(Vector::Constant(1, 0.25));
-    return SolverTermination{"done", Vector::Constant(1, 0.75)};
-  };
-  return solver;
+  EXPECT_EQ(points(other, 1).front(), one.front());
 }
 
 TEST(Run, KeepsThePointThatIsReturnedPointBesideTheBestThatWasFound) {
   const Problem problem = parabola(1);
-  const RunRecord record = run(problem, modest(), {3}, 0);
+  // Looks at 0.25, the best point, but ends at 0.75.
+  const Solver modest = solver_that([](Evaluator& evaluator, const Vector&, Random&) {
+    evaluator.objective(Vector::Constant(1, 0.25));
+    return SolverTermination{"done", Vector::Constant(1, 0.75)};
+  });
+  const RunRecord record = run(problem, modest, {3}, 0);
   ASSERT_TRUE(record.returned);
   EXPECT_EQ(record.returned->x[0], 0.75);
   EXPECT_EQ(record.returned->true_values.objective, 0.25);
@@ -96,23 +162,53 @@ TEST(Run, TakesTheBestPointShownForTheOneReturnedPointWhereThereIsNone) {
       << "it cannot know the true objective";
 }
 
-TEST(Run, RecordsWhatTheProblemThrew) {
+TEST(Run, RecordsWhatTheProblemOrTheSolverThrewAndKeepsTheTrace) {
   Problem problem = parabola(1);
   problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("broken scene"); };
-  const RunRecord record = run(problem, sampler(5), {50}, 0);
-  EXPECT_EQ(record.failure, "broken scene");
-  EXPECT_EQ(record.termination_reason, TerminationReason::failure);
-}
-
-TEST(Run, RecordsWhatTheSolverThrewAndKeepsTheTrace) {
-  Solver solver = sampler(5);
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) -> SolverTermination {
+  const RunRecord broken = run(problem, sampler(5), {50}, 0);
+  EXPECT_EQ(broken.failure, "broken scene");
+  EXPECT_EQ(broken.termination_reason, TerminationReason::failure);
+  const Solver torn = solver_that([](Evaluator& evaluator, const Vector& start, Random&) {
     evaluator.objective(start);
     throw std::logic_error("solver broke");
-  };
-  const RunRecord record = run(parabola(1), solver, {50}, 0);
+    return SolverTermination();
+  });
+  const RunRecord record = run(parabola(1), torn, {50}, 0);
   EXPECT_EQ(record.failure, "solver broke");
   EXPECT_EQ(record.trace.size(), 1U);
+}
+
+/// Of a run with this trace, where a gap of 1 counts as solved.
+Verdict verdict_on(const std::vector<Improvement>& trace, const Problem& problem = parabola(1)) {
+  RunRecord record;
+  record.trace = trace;
+  return judge(record, problem, 1.0);
+}
+
+TEST(Verdict, FindsWhenTheTargetWasFirstReached) {
+  const Verdict verdict =
+      verdict_on({{1, 0.1, {5, 0}, {}}, {4, 0.2, {0.5, 0}, {}}, {9, 0.3, {0, 0}, {}}});
+  EXPECT_TRUE(verdict.solved);
+  EXPECT_EQ(verdict.evaluations_to_solve, 4);
+  EXPECT_EQ(verdict.seconds_to_solve, 0.2);
+  EXPECT_EQ(verdict.objective, 0.0);
+  EXPECT_EQ(verdict.optimality_gap, 0.0);
+}
+
+TEST(Verdict, IgnoresPointsThatAreTrulyInfeasible) {
+  const Verdict verdict = verdict_on({{1, 0.1, {-3, 0.5}, {}}});
+  EXPECT_FALSE(verdict.feasible);
+  EXPECT_FALSE(verdict.objective);
+  EXPECT_FALSE(verdict.solved);
+}
+
+TEST(Verdict, HasNoOptimalityGapWithoutAKnownOptimum) {
+  Problem problem = parabola(1);
+  problem.best_known.reset();
+  const Verdict verdict = verdict_on({{1, 0.1, {3, 0}, {}}}, problem);
+  EXPECT_EQ(verdict.objective, 3.0);
+  EXPECT_FALSE(verdict.optimality_gap);
+  EXPECT_FALSE(verdict.solved);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ except ImportError:
 
 import ricochet
 
+needs_proc = unittest.skipUnless(os.path.exists("/proc/self/statm"), "there is no /proc")
 needs_scipy = unittest.skipUnless(scipy, "this Python has no SciPy (Debian: python3-scipy)")
 
 
@@ -444,6 +445,7 @@ class Library(unittest.TestCase):
         )  # fmt: skip
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    @needs_proc
     def test_stays_until_the_end_of_the_process(self):
         # Octave closes what it has loaded; threads of TBB would then run in code that is gone.
         use = (
@@ -458,6 +460,7 @@ class Library(unittest.TestCase):
         )  # fmt: skip
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "True\n", ""))
 
+    @needs_proc
     def test_keeps_nothing_of_what_was_closed(self):
         def resident():
             with open("/proc/self/statm") as file:

@@ -15,6 +15,10 @@ for package in ("build", "numpy", "pip", "setuptools", "wheel"):
         print(f"skipped: this Python has no {package} (Debian: python3-{package})", file=sys.stderr)
         sys.exit(77)
 
+if not os.path.exists("/proc/self/maps"):
+    print("skipped: there is no /proc", file=sys.stderr)
+    sys.exit(77)
+
 SOURCE = pathlib.Path(os.environ["RICOCHET_SOURCE"])
 BUILD = pathlib.Path(os.environ["RICOCHET_BUILD"])
 USE = """

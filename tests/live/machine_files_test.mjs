@@ -4,18 +4,10 @@
 import {spawnSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import vm from "node:vm";
-import zlib from "node:zlib";
-import {fileURLToPath} from "node:url";
+import {check, finish, machineOf} from "./machine.mjs";
 
-const [program, module, folder] = process.argv.slice(2), root = path.join(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const [program, module, folder] = process.argv.slice(2), machine = machineOf(module);
 fs.mkdirSync(folder, {recursive: true});
-const script = fs.readFileSync(path.join(root, "src/live/page/machine.js"), "utf8");
-const Machine = vm.runInContext(`${script}; Machine`, vm.createContext({WebAssembly, TextDecoder, TextEncoder}));
-const machine = new Machine(new WebAssembly.Module(zlib.gunzipSync(fs.readFileSync(module))));
-
-const wrong = [];
-const check = (holds, what) => { if (!holds) wrong.push(what); };
 const run = (...words) => spawnSync(program, words, {cwd: folder, encoding: "utf8"});
 const put = (name, text) => { fs.writeFileSync(path.join(folder, name), text); return name; };
 const read = (name) => {
@@ -97,7 +89,7 @@ const good = {
   "each wall": [changed("restitution", "restitution_lower = 0.5\nrestitution_upper = 0.75"), /^$/],
   "as version 1 had it": [changed("counting_limit", 'slowest = "5 mm/s"').replace(/^restitution .*$/m, "restitution = [0.5, 0.75]"), /^machine.toml: count.slowest is now called counting_limit\nmachine.toml: scene.restitution = .* restitution_upper$/],
   "compliant": [`${fresh}\n[model]\nfidelity = "compliant"\ncontact_law = "kelvin-voigt"\n`, /^$/],
-  "examples/machine.toml": [fs.readFileSync(path.join(root, "examples/machine.toml"), "utf8"), /^$/],
+  "examples/machine.toml": [fs.readFileSync(new URL("../../examples/machine.toml", import.meta.url), "utf8"), /^$/],
 };
 for (const [what, [text, notes]] of Object.entries(good)) {
   for (const again of [1, 2]) {  // warnings, too, are told of every file
@@ -121,6 +113,4 @@ const before = machine.file();
 read(put("machine.toml", bad["out of range"]));
 check(machine.file() === before, "a file that is refused changes the machine");
 
-for (const what of wrong) console.log(what);
-console.log(`${Object.keys(bad).length} wrong files, ${Object.keys(good).length} right ones; ${wrong.length} complaints`);
-process.exit(wrong.length ? 1 : 0);
+finish(`${Object.keys(bad).length} wrong files, ${Object.keys(good).length} right ones`);

@@ -5,41 +5,25 @@
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import vm from "node:vm";
-import zlib from "node:zlib";
-import {fileURLToPath} from "node:url";
+import {Machine, bytesOf, check, finish, machineOf} from "./machine.mjs";
 
 const [program, file, folder, compared] = process.argv.slice(2);
 if (!fs.existsSync(file)) {
   console.log(`${file} is missing: Debian's Clang for WebAssembly is not there; .ci/run installs it`);
   process.exit(process.env.CI ? 1 : 77);
 }
-const moduleOf = (name) => {
-  const bytes = fs.readFileSync(name);
-  return bytes[0] === 0x1f ? zlib.gunzipSync(bytes) : bytes;
-};
-if (compared && moduleOf(file).equals(moduleOf(compared))) {
-  console.log(`the same ${moduleOf(file).length} bytes as ${compared}`);
+if (compared && bytesOf(file).equals(bytesOf(compared))) {
+  console.log(`the same ${bytesOf(file).length} bytes as ${compared}`);
   process.exit(0);
 }
-const here = path.dirname(fileURLToPath(import.meta.url));
 const number = 100_000;
-
 fs.mkdirSync(folder, {recursive: true});
 const answers = path.join(folder, "scenes.bin");
 execFileSync(program, [String(number), answers]);
 const bytes = fs.readFileSync(answers), all = new Float64Array(bytes.buffer, bytes.byteOffset, bytes.length / 8);
 fs.rmSync(answers);
 
-const source = fs.readFileSync(path.join(here, "../../src/live/page/machine.js"), "utf8");
-const context = vm.createContext({WebAssembly, TextDecoder, TextEncoder});
-const Machine = vm.runInContext(`${source}; Machine`, context);
-const started = performance.now();
-const machine = new Machine(new WebAssembly.Module(moduleOf(file)));
-const ready = performance.now();
-
-const wrong = [];
-const check = (holds, what) => { if (!holds) wrong.push(what); };
+const started = performance.now(), machine = machineOf(file), ready = performance.now();
 check(WebAssembly.Module.imports(machine.module).every(({module}) => module === "wasi_snapshot_preview1"), "the module asks for more than a terminal");
 
 let at = 0;
@@ -101,7 +85,5 @@ check(/mass = -1: must be/.test(said), `a negative mass: ${said}`);
 same(machine.counts(0.02, 0.02, 900), before, "after a refusal");
 check(machine.quantity("0.9 mm", "m") === 0.0009 && Number.isNaN(machine.quantity("0.9 inch", "m")), "units");
 
-for (const what of wrong) console.log(what);
 const mean = (counted - ready) / scenes;
-console.log(`${scenes} scenes, ${collisions} collisions, ${endless} endless; ready after ${(ready - started).toFixed(0)} ms, ${(1000 * mean).toFixed(0)} us a scene; ${wrong.length} complaints`);
-process.exit(wrong.length ? 1 : 0);
+finish(`${scenes} scenes, ${collisions} collisions, ${endless} endless; ready after ${(ready - started).toFixed(0)} ms, ${(1000 * mean).toFixed(0)} us a scene`);

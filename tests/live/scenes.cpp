@@ -3,13 +3,8 @@
 // For each machine: its numbers, and its count; NaN if it has more impacts than a simulation may
 // have. Then for each of the paper's first four cases: its numbers, 900 counts, and the lists
 // below, each with its length before it.
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
-#include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -23,13 +18,13 @@
 #include "ricochet/machine.h"
 #include "src/live/flat_scene.h"
 #include "src/live/race.h"
+#include "tests/support/numbers.h"
 
 namespace {
 
 using namespace ricochet;
 using namespace ricochet::carrier_track;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double step = 0.02;  // [rad/s], of a scan of 900 speeds
 constexpr std::size_t speeds = 900;
 
@@ -40,52 +35,54 @@ double count_of(const Scene& scene) {
     const double omega = scene.omega;
     return counts_at(scene, std::span(&omega, 1)).front();
   } catch (const std::runtime_error&) {
-    return missing;
+    return quiet_nan;
   }
+}
+
+/// What `get` makes of each of the items, one after the other.
+template <class Items, class Get>
+Numbers joined(const Items& items, const Get& get, Numbers numbers = {}) {
+  for (const auto& item : items)
+    for (const double x : get(item)) numbers.push_back(x);
+  return numbers;
 }
 
 Numbers impacts_of(const Scene& scene, double omega) {
   const Recording recording = record(at_speed(scene, omega), 0, 0);
-  Numbers numbers{static_cast<double>(recording.count)};
-  for (const Impact& impact : recording.impacts) {
-    numbers.push_back(impact.time);
-    numbers.push_back(impact.speed);
-  }
-  return numbers;
+  return joined(recording.impacts,
+                [](const Impact& one) {
+                  return Numbers{one.time, one.speed};
+                },
+                {static_cast<double>(recording.count)});
 }
 
 Numbers regimes_as_numbers(const Scene& scene) {
-  Numbers numbers;
-  for (const Regime& regime : regimes_of(scene)) {
-    for (const double x : {regime.from, regime.to, regime.most_per_turn}) numbers.push_back(x);
-  }
-  return numbers;
+  return joined(regimes_of(scene), [](const Regime& regime) {
+    return Numbers{regime.from, regime.to, regime.most_per_turn};
+  });
 }
 
 Numbers rule_of(const Scene& scene, const Claim& claim, const SpeedScan& scan) {
   const Score found = score(scene, Claim{claim.threshold, {}, {}}, scan, 1);
-  return {static_cast<double>(found.quiet_count), found.threshold.value_or(missing),
-          found.first_loud.value_or(missing), found.misclassified};
+  return {static_cast<double>(found.quiet_count), found.threshold.value_or(quiet_nan),
+          found.first_loud.value_or(quiet_nan), found.misclassified};
 }
 
 Numbers race_of(const Machine& machine, live::Racer racer) {
-  Numbers numbers;
   const live::Race race{machine.scene, machine.quiet_limit, 18, 100};
-  for (const live::RaceStep& one : live::steps_of(racer, race, 7)) {
-    numbers.push_back(one.omega);
-    numbers.push_back(one.count);
-  }
-  return numbers;
+  return joined(live::steps_of(racer, race, 7), [](const live::RaceStep& one) {
+    return Numbers{one.omega, static_cast<double>(one.count)};
+  });
 }
 
 /// The border of two collisions a turn, the most collisions below it in the window, and what moves
 /// it.
 Numbers sensitivities_of(const Scene& scene) {
-  const double border = quiet_up_to(scene, quiet_per_turn, {0.01, 18}).value_or(missing);
-  Numbers numbers{border, static_cast<double>(most_collisions_below(scene, border, 1e-3))};
+  const double border = quiet_up_to(scene, quiet_per_turn, {0.01, 18}).value_or(quiet_nan);
   const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
-  for (const Sensitivity& one : sensitivities(scene, limit, border)) numbers.push_back(one.percent);
-  return numbers;
+  return joined(sensitivities(scene, limit, border),
+                [](const Sensitivity& one) { return Numbers{one.percent}; },
+                {border, static_cast<double>(most_collisions_below(scene, border, 1e-3))});
 }
 
 class File {
@@ -125,7 +122,7 @@ void add_case(File& file, const Machine& machine) {
        {live::Racer::fireworks, live::Racer::random_search, live::Racer::bisection}) {
     file.add_list(race_of(machine, racer));
   }
-  file.add_list({live::goal_of({machine.scene, machine.quiet_limit, 18}).value_or(missing)});
+  file.add_list({live::goal_of({machine.scene, machine.quiet_limit, 18}).value_or(quiet_nan)});
   file.add_list(sensitivities_of(machine.scene));
 }
 

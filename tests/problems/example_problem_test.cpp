@@ -1,29 +1,39 @@
-#include "tests/problems/example_problem.h"
+// The problem that CONTRIBUTING.md shows how to add, with its test.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
-
+#include "problems/carrier_track/counting/count.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/suite/problem_from_function.h"
+#include "problems/carrier_track/suite/speed_problems.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
+
+Problem gentle_problem(const Machine& machine);
+
 namespace {
 
-std::string text_of(const std::string& file) {
-  std::ifstream stream(RICOCHET_SOURCE "/" + file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+/// The wear [mJ] at the speed x[0].
+struct WearAtSpeed {
+  static constexpr int jet_size = 1;
 
-TEST(ExampleProblem, IsWhatContributingShows) {
-  const std::string text = text_of("CONTRIBUTING.md");
-  const std::string fence = "```cpp\n";
-  const auto start = text.find(fence) + fence.size();
-  const std::string code = text.substr(start, text.find("```", start) - start);
-  EXPECT_GT(code.size(), 500U);
-  EXPECT_THAT(text_of("tests/problems/example_problem.cpp"), testing::HasSubstr(code));
+  Scene scene;
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    const BasicScene<Scalar> at = at_speed(lifted<Scalar>(scene), x[0]);
+    auto watching = watch.of(at);
+    return wear(at, watching);
+  }
+};
+
+}  // namespace
+
+Problem gentle_problem(const Machine& machine) {
+  Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
+  define(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
+  return problem;
 }
 
 TEST(ExampleProblem, HasDerivatives) {
@@ -32,5 +42,4 @@ TEST(ExampleProblem, HasDerivatives) {
   expect_derivatives_of_values(problem, Vector::Constant(1, 4.321), 1e-7, 1e-6);
 }
 
-}  // namespace
 }  // namespace ricochet::carrier_track

@@ -2,146 +2,26 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <limits>
+#include <regex>
 #include <stdexcept>
 
-#include "src/report/frame.h"
-#include "tests/report/sample_charts.h"
+#include "src/report/drawing.h"
+#include "src/report/svg.h"
+#include "tests/report/pictures.h"
+#include "tests/support/numbers.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::report {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
-auto refuses(const Chart& chart) {
-  return [chart] { check(chart); };
+Chart logarithmic(Chart chart) {
+  chart.x.scale = chart.y.scale = Scale::logarithmic;
+  return chart;
 }
 
-TEST(Chart, AcceptsGaps) {
-  EXPECT_NO_THROW(check(line_chart({{0, 1}, {1, {}}, {2, 3}})));
-}
-
-TEST(Chart, RefusesZeroOnALogarithmicAxisAndSaysWhere) {
-  Chart chart = line_chart({{1, 2.0}, {2, 0.0}});
-  chart.y.scale = Scale::logarithmic;
-  EXPECT_THAT(refuses(chart),
-              ThrowsMessage<std::invalid_argument>(AllOf(
-                  HasSubstr("\"path\", sample 1"), HasSubstr("> 0 on the logarithmic axis"))));
-}
-
-TEST(Chart, RefusesABandThatLeavesALogarithmicAxis) {
-  Chart chart = line_chart({{1, 2.0, Range{-1, 3}}});
-  chart.y.scale = Scale::logarithmic;
-  EXPECT_THAT(refuses(chart), ThrowsMessage<std::invalid_argument>(HasSubstr("-1 must be > 0")));
-}
-
-TEST(Chart, RefusesNumbersThatAreNotFinite) {
-  EXPECT_THROW(check(line_chart({{0, std::numeric_limits<double>::quiet_NaN()}})),
-               std::invalid_argument);
-  EXPECT_THROW(check(line_chart({{std::numeric_limits<double>::infinity(), 1}})),
-               std::invalid_argument);
-}
-
-TEST(Chart, RefusesNumbersWhoseDifferencesCouldOverflow) {
-  EXPECT_THAT(refuses(line_chart({{0, -1e101}})),
-              ThrowsMessage<std::invalid_argument>(HasSubstr("beyond 1e100")));
-  Chart chart = line_chart({{1e-301, 1}});
-  chart.x.scale = Scale::logarithmic;
-  EXPECT_THAT(refuses(chart), ThrowsMessage<std::invalid_argument>(HasSubstr("below 1e-300")));
-}
-
-TEST(Chart, RefusesASizeThatIsNone) {
-  Chart chart = line_chart({{0, 1}});
-  chart.height = 0;
-  EXPECT_THAT(refuses(chart), ThrowsMessage<std::invalid_argument>(HasSubstr("480 x 0 pixels")));
-}
-
-TEST(Chart, RefusesPositionsThatFallBack) {
-  EXPECT_THROW(check(line_chart({{1, 1}, {0, 1}})), std::invalid_argument);
-}
-
-TEST(Chart, RefusesANameThatIsNoFileStem) {
-  for (const char* name : {"", "a/b", "A", "a b"}) {
-    Chart chart = line_chart({{0, 1}});
-    chart.name = name;
-    EXPECT_THROW(check(chart), std::invalid_argument) << name;
-  }
-}
-
-TEST(Chart, RefusesAHeatMapWithARowTooShort) {
-  EXPECT_THAT(refuses(heat_map_chart({{1, 2}, {3}})),
-              ThrowsMessage<std::invalid_argument>(HasSubstr("1 cells for 2 categories of x")));
-}
-
-TEST(Chart, DescribesItselfByItsLabels) {
-  Chart chart = line_chart({{0, 1}});
-  chart.lines = {{Direction::horizontal, 0, "wall"}, {Direction::horizontal, 2, "wall"}};
-  EXPECT_EQ(description(chart), "x [mm] against time [s]: path, wall.");
-}
-
-TEST(Chart, DescribesAHeatMapByTheAxesThatHaveAName) {
-  Chart chart = heat_map_chart({{1, 2}});
-  chart.x.label = chart.y.label = "";
-  chart.heat_map = HeatMap{"solved [%]", {{1.0}}};
-  EXPECT_EQ(description(chart), "Heat map of solved [%].");
-  chart.x.label = "problem";
-  EXPECT_EQ(description(chart), "Heat map of solved [%] over problem.");
-  chart.y.label = "solver";
-  EXPECT_EQ(description(chart), "Heat map of solved [%] over problem and solver.");
-}
-
-std::vector<std::string> labels(const std::vector<Tick>& ticks) {
-  std::vector<std::string> result;
-  for (const Tick& tick : ticks)
-    if (!tick.label.empty()) result.push_back(tick.label);
-  return result;
-}
-
-TEST(Ticks, AreRound) {
-  EXPECT_THAT(labels(linear_ticks({-0.42, 0.41}, 5, false)),
-              ElementsAre("−0.4", "−0.2", "0", "0.2", "0.4"));
-  EXPECT_THAT(labels(linear_ticks({0, 1000}, 2, false)), ElementsAre("0", "500", "1000"));
-  EXPECT_THAT(labels(linear_ticks({0, 999}, 1, false)), ElementsAre("0"));
-}
-
-TEST(Ticks, OfWholeNumbersHaveNoFractions) {
-  EXPECT_THAT(labels(linear_ticks({-0.1, 2.1}, 8, true)), ElementsAre("0", "1", "2"));
-}
-
-TEST(Ticks, AreFewHoweverNarrowTheLimits) {
-  EXPECT_LE(linear_ticks({1e9, std::nextafter(1e9, 2e9)}, 5, false).size(), 11U);
-}
-
-TEST(Ticks, OfNarrowLogarithmicAxesAreThoseOfLinearOnes) {
-  EXPECT_THAT(labels(logarithmic_ticks({101, 109}, 4)), ElementsAre("102", "104", "106", "108"));
-}
-
-TEST(NumberLabel, IsWhatAReaderWrites) {
-  EXPECT_EQ(number_label(-0.5), "−0.5");
-  EXPECT_EQ(number_label(2e6), "2000000");
-  EXPECT_EQ(number_label(3e-7), "3×10⁻⁷");
-  EXPECT_EQ(number_label(-1e20), "−10²⁰");
-}
-
-TEST(Ticks, OfManyDecadesArePowersOfTen) {
-  EXPECT_THAT(labels(logarithmic_ticks({1e-6, 1e-2}, 3)), ElementsAre("10⁻⁶", "10⁻⁴", "10⁻²"));
-}
-
-TEST(Ticks, OfLessThanTwoDecadesShowTwoAndFiveToo) {
-  EXPECT_THAT(labels(logarithmic_ticks({1, 20}, 5)), ElementsAre("1", "2", "5", "10", "20"));
-  EXPECT_THAT(labels(logarithmic_ticks({21, 79}, 4)), ElementsAre("30", "50", "70"));
-}
-
-TEST(Limits, HaveRoomAroundASingleValue) {
-  EXPECT_LT(limits({3}, Scale::linear).lower, 3);
-  EXPECT_GT(limits({3}, Scale::logarithmic).upper, 3);
-  EXPECT_LT(limits({0}, Scale::linear).lower, 0);
-}
-
+/// With two areas.
 Chart area_chart() {
   Chart chart = line_chart({{0, 1}, {4, 5}});
   chart.areas = {{"few", 0.5, {{{0, {0, 1}}, {4, {0, 5}}}}, "2"},
@@ -149,29 +29,153 @@ Chart area_chart() {
   return chart;
 }
 
-TEST(Chart, RefusesAreasThatCannotBePainted) {
-  EXPECT_NO_THROW(check(area_chart()));
-  Chart back = area_chart();
-  back.areas[0].parts[0][0].position = 9;
-  EXPECT_THAT(refuses(back),
-              ThrowsMessage<std::invalid_argument>(HasSubstr("positions must rise")));
-  Chart turned = area_chart();
-  turned.areas[0].parts[0][0].between = {2, 1};
-  EXPECT_THAT(refuses(turned), ThrowsMessage<std::invalid_argument>(HasSubstr("is not a range")));
-  Chart empty = area_chart();
-  empty.areas[0].parts.emplace_back();
-  EXPECT_THAT(refuses(empty), ThrowsMessage<std::invalid_argument>(HasSubstr("has no edge")));
-  Chart bright = area_chart();
-  bright.areas[0].shade = 1.5;
-  EXPECT_THAT(refuses(bright), ThrowsMessage<std::invalid_argument>(HasSubstr("shade")));
-  Chart both = heat_map_chart({{1}});
-  both.areas = area_chart().areas;
-  EXPECT_THAT(refuses(both),
-              ThrowsMessage<std::invalid_argument>(HasSubstr("areas and a heat map")));
+TEST(Chart, RefusesWhatCannotBeDrawnAndSaysWhere) {
+  const Chart line = line_chart({{0, 1}, {1, 2}}), map = heat_map_chart({{1, 2}, {3, 4}});
+  const auto sample = [](const Sample& one) { return line_chart({one}); };
+  const auto of_size = [&](int width, int height) {
+    return changed(line, [&](Chart& chart) { chart.width = width, chart.height = height; });
+  };
+  const auto at = [](double place) {
+    return [place](Chart& chart) { chart.lines = {{Direction::vertical, place, "wall"}}; };
+  };
+  const char* const sizes = "pixels must be between 1 and 10000";
+  std::vector<Refusal<Chart>> refusals = {
+      {logarithmic(line_chart({{1, 2.0}, {2, 0.0}})),
+       "series \"path\", sample 1: 0 must be > 0 on the logarithmic axis \"x [mm]\""},
+      {logarithmic(sample({1, 2.0, Range{-1, 3}})), "-1 must be > 0"},
+      {logarithmic(sample({1e-301, 1})), "below 1e-300"},
+      {sample({0, quiet_nan}), "nan is not finite"},
+      {sample({infinity, 1}), "inf is not finite"},
+      {sample({0, -1e101}), "beyond 1e100"},
+      {sample({0, 1, Range{2, 1}}), "sample 0: 2 > 1 is not a range"},
+      {sample({.position = 0, .value = 1, .name = "dot"}), "only points have names"},
+      {of_size(480, 0), "480 x 0 pixels"},
+      {of_size(0, 1), sizes},
+      {of_size(10001, 1), sizes},
+      {of_size(1, 10001), sizes},
+      {line_chart({{1, 1}, {0, 1}}), "sample 1: positions must rise"},
+      {changed(line,
+               [](Chart& chart) {
+                 chart.x.range = Range{1, 1};
+               }),
+       "axis \"time [s]\": the range is empty"},
+      {changed(line, at(infinity)), "reference line \"wall\": inf"},
+      {logarithmic(changed(line_chart({{1, 1}}), at(0))), "reference line \"wall\": 0 must be > 0"},
+      {heat_map_chart({{1, 2}, {3}}), "1 cells for 2 categories of x"},
+      {heat_map_chart({{infinity}}), "cell: inf"},
+      {changed(map, [](Chart& chart) { chart.y.categories.pop_back(); }),
+       "2 rows for 1 categories of y"},
+      {changed(map,
+               [](Chart& chart) {
+                 chart.heat_map->range = Range{2, 1};
+               }),
+       "colours: 2 > 1"},
+      {changed(map, [&](Chart& chart) { chart.series = line.series; }), "series and a heat map"},
+      {changed(map, [](Chart& chart) { chart.areas = area_chart().areas; }),
+       "areas and a heat map"},
+  };
+  for (const char* name : {"", "a/b", "A", "a b", "a{", "a`"}) {
+    refusals.push_back({changed(line, [&](Chart& chart) { chart.name = name; }), "the name must"});
+  }
+  using Areas = std::vector<Area>;
+  const auto areas = [](void (*change)(Areas&)) {
+    return changed(area_chart(), [&](Chart& chart) { change(chart.areas); });
+  };
+  refusals.insert(
+      refusals.end(),
+      {{areas([](Areas& all) { all[0].parts[0][0].position = 9; }), "edge 1: positions must rise"},
+       {areas([](Areas& all) {
+          all[0].parts[0][0].between = {2, 1};
+        }),
+        "edge 0: 2 > 1 is not"},
+       {areas([](Areas& all) { all[0].parts.emplace_back(); }), "\"few\": a part has no edge"},
+       {areas([](Areas& all) { all[0].shade = 1.5; }), "the shade must be within"},
+       {areas([](Areas& all) { all[0].shade = -0.5; }), "the shade must be within"}});
+  expect_refusals<std::invalid_argument>([](const Chart& chart) { check(chart); }, refusals);
 }
 
-TEST(Chart, LetsALineBeginAnewBehindAGap) {
-  EXPECT_NO_THROW(check(line_chart({{1, 1}, {2, 2}, {2, {}}, {0, 3}, {1, 4}})));
+TEST(Chart, TakesGapsBehindWhichALineMayBeginAnew) {
+  for (const Chart& chart :
+       {line_chart({{0, 1}, {1, {}}, {2, 3}}),
+        line_chart({{1, 1}, {2, 2}, {2, {}}, {0, 3}, {1, 4}}), area_chart(),
+        heat_map_chart({{1, {}}}),
+        changed(line_chart({{0, 1}}), [](Chart& one) { one.name = "a-z09", one.width = 10000; })}) {
+    EXPECT_NO_THROW(check(chart)) << description(chart);
+  }
+}
+
+TEST(Chart, DescribesAHeatMapByTheAxesThatHaveAName) {
+  Chart map = heat_map_chart({{1}});
+  map.y.label = "";
+  EXPECT_EQ(description(map), "Heat map of threshold [rad/s] over restitution.");
+  map.x.label = "";
+  EXPECT_EQ(description(map), "Heat map of threshold [rad/s].");
+  map.description = "Words.";
+  EXPECT_EQ(description(map), "Words.");
+}
+
+Chart linked_map() {
+  return {.name = "map",
+          .title = "Map",
+          .x = {.categories = {"hs", "top"}},
+          .y = {.categories = {"solver b", "solver a"}},
+          .heat_map = HeatMap{.label = "share [%]",
+                              .rows = {{100, 0}, {50, std::nullopt}},
+                              .row_links = {"view#entry=b", "view#entry=a"},
+                              .column_links = {"&family=hs", "&family=top"}}};
+}
+
+TEST(CellLinks, AreThoseOfRowAndColumnAndLieOverTheCells) {
+  const Json data = cell_links_data(linked_map());
+  EXPECT_EQ(data["rows"].dump(),
+            R"x([["solver a","view/index.html#entry=a"],["solver b","view/index.html#entry=b"]])x")
+      << "from the top";
+  EXPECT_EQ(data["columns"].dump(), R"x([["hs","&family=hs"],["top","&family=top"]])x");
+  // The upper right cell has no value: its hatched rectangle ends where the box does.
+  const std::string svg = to_svg(linked_map());
+  std::smatch found;
+  const std::regex gap(R"x(hatching\)"[^>]* d="M([0-9.]+) ([0-9.]+)h([0-9.]+)v-([0-9.]+))x");
+  ASSERT_TRUE(std::regex_search(svg, found, gap)) << svg;
+  const double left = std::stod(found[1]), bottom = std::stod(found[2]);
+  const double width = std::stod(found[3]), height = std::stod(found[4]);
+  const Json& box = data["box"];
+  EXPECT_EQ(box[1], left + width);
+  EXPECT_EQ(box[2], bottom - height);
+  // Edges of cells are on whole pixels.
+  EXPECT_NEAR(box[0].get<double>(), left - width, 1);
+  EXPECT_NEAR(box[3].get<double>(), bottom + height, 1);
+}
+
+TEST(CellLinks, MustFitTheChart) {
+  for (const std::vector<std::string>& rows :
+       {std::vector<std::string>{"view", "view"}, {"view#a"}, {"view#a", "view#b", "view#c"}}) {
+    const Chart chart = changed(linked_map(), [&](Chart& map) { map.heat_map->row_links = rows; });
+    EXPECT_THROW(cell_links_data(chart), std::invalid_argument) << rows.size();
+  }
+}
+
+/// Position and value of each corner of each part.
+auto corners_of(const Series& series) {
+  std::vector<std::vector<std::pair<double, double>>> parts;
+  for (const auto& part : polylines(series)) {
+    parts.emplace_back();
+    for (const Sample& corner : part) parts.back().emplace_back(corner.position, *corner.value);
+  }
+  return parts;
+}
+
+TEST(Polyline, LeavesGapsWhereValuesAreMissing) {
+  EXPECT_THAT(
+      corners_of({"", Mark::line, {{0, 1}, {1, 1}, {2, {}}, {3, 1}}}),
+      ElementsAre(ElementsAre(std::pair(0, 1), std::pair(1, 1)), ElementsAre(std::pair(3, 1))));
+}
+
+TEST(Polyline, GivesStepsTheirCornersAndHoldsThemUntilTheirSuccessorEvenIfThatIsUnknown) {
+  EXPECT_THAT(corners_of({"", Mark::steps, {{0, 5}, {3, 7}, {5, 7}}}),
+              ElementsAre(ElementsAre(std::pair(0, 5), std::pair(3, 5), std::pair(3, 7),
+                                      std::pair(5, 7), std::pair(5, 7))));
+  EXPECT_THAT(corners_of({"", Mark::steps, {{0, 5}, {1, {}}, {2, {}}}}),
+              ElementsAre(ElementsAre(std::pair(0, 5), std::pair(1, 5))));
 }
 
 }  // namespace

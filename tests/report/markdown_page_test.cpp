@@ -5,8 +5,12 @@
 #include <pugixml.hpp>
 #include <regex>
 
-#include "src/core/files.h"
+#include "src/report/markdown_html.h"
 #include "src/report/text.h"
+#include "tests/report/pictures.h"
+#include "tests/support/files.h"
+#include "tests/support/golden.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::report {
 namespace {
@@ -20,10 +24,6 @@ PageSource page(const std::string& text) {
   return page_source("---\ngroup: Machine\n---\n" + text);
 }
 
-std::string filled_text(const std::string& text, const Results& results) {
-  return filled_page(page(text), results);
-}
-
 Results results() {
   Results results;
   results.set("speed", 8.0567);
@@ -34,127 +34,108 @@ Results results() {
   table.add("C2", std::nullopt);
   results.add(table);
   results.add(ricochet::Table{"empty", {{"id"}}});
-  results.add(Chart{.name = "counts",
-                    .title = "Counts <rise>",
-                    .x = {"speed"},
-                    .y = {"count"},
-                    .series = {{"a", Mark::line, {{0, 1}, {1, 2}}}}});
+  results.add(changed(line_chart({{0, 1}, {1, 2}}), [](Chart& chart) {
+    chart.name = "counts", chart.title = "Counts <rise>", chart.series[0].label = "a";
+  }));
   return results;
 }
 
+std::string filled(const std::string& text) {
+  return filled_page(page(text), results());
+}
+
+FileSet files_of(const std::string& text, const Results& results) {
+  return page_files(page(text), results).files;
+}
+
 TEST(MarkdownPage, FillsInValues) {
-  EXPECT_EQ(filled_text("At {{speed:.1f}} rad/s.\n", results()), "At 8.1 rad/s.\n");
-  EXPECT_EQ(filled_text("Of {{name}}\n", results()), "Of a\\|b\\_&lt;c>\n");
-  EXPECT_EQ(filled_text("`run {{name}}`\n", results()), "`run a|b_<c>`\n");
-  EXPECT_EQ(filled_text("```\n{{name}}\n\n{{speed:.0f}}\n```\n", results()),
-            "```\na|b_<c>\n\n8\n```\n");
+  EXPECT_EQ(filled("At {{speed:.1f}} rad/s.\n"), "At 8.1 rad/s.\n");
+  EXPECT_EQ(filled("Of {{name}}\n"), "Of a\\|b\\_&lt;c>\n");
+  EXPECT_EQ(filled("`run {{name}}`\n"), "`run a|b_<c>`\n");
+  EXPECT_EQ(filled("```\n{{name}}\n\n{{speed:.0f}}\n```\n"), "```\na|b_<c>\n\n8\n```\n");
 }
 
-TEST(MarkdownPage, LeavesOutBlocksAndHeadingsWithoutValues) {
-  EXPECT_EQ(filled_text("One.\n\nNo {{nothing}}\nat all.\n\nTwo.\n", results()), "One.\n\nTwo.\n");
-  EXPECT_EQ(
-      filled_text("# Page\n\n## A\n\n{{nothing}}\n\n### B\n\n{{table empty}}\n\n## C\n\nText.\n",
-                  results()),
-      "# Page\n\n## C\n\nText.\n");
-  EXPECT_EQ(filled_text("- one\n- {{nothing}}\n- three\n", results()), "- one\n- three\n");
-  EXPECT_EQ(filled_text("{{fold More}}\n\n{{nothing}}\n\n{{end}}\n\nText.\n", results()),
-            "Text.\n");
-}
-
-TEST(MarkdownPage, LeavesOutASectionThatHasNothingOfWhatItAsksFor) {
-  EXPECT_EQ(
-      filled_text("# P\n\n## A\n\nWords.\n\n{{table empty}}\n\n### B\n\nMore.\n\n## C\n\nEnd.\n",
-                  results()),
-      "# P\n\n## C\n\nEnd.\n");
-  EXPECT_EQ(filled_text("## A\n\nWords.\n\n{{table empty}}\n\nAt {{speed:.0f}}.\n", results()),
+TEST(MarkdownPage, LeavesOutWhatHasNoValuesAndHeadingsAboveNothing) {
+  EXPECT_EQ(filled("One.\n\nNo {{nothing}}\nat all.\n\nTwo.\n"), "One.\n\nTwo.\n");
+  EXPECT_EQ(filled("# Page\n\n## A\n\n{{nothing}}\n\n### B\n\n{{table empty}}\n\n## C\n\nText.\n"),
+            "# Page\n\n## C\n\nText.\n");
+  EXPECT_EQ(filled("- one\n- {{nothing}}\n- three\n"), "- one\n- three\n");
+  EXPECT_EQ(filled("{{fold More}}\n\n{{nothing}}\n\n{{end}}\n\nText.\n"), "Text.\n");
+  EXPECT_EQ(filled("{{choose none: Solver}}\n\nText.\n\n{{end}}\n"), "");
+  EXPECT_EQ(filled("| id |\n|--|\n| {{empty.id}} |\n"), "");
+  EXPECT_EQ(filled("# P\n\n## A\n\nWords.\n\n{{table empty}}\n\n### B\n\nMore.\n\n## C\n\nEnd.\n"),
+            "# P\n\n## C\n\nEnd.\n")
+      << "a section that has nothing of what it asks for";
+  EXPECT_EQ(filled("## A\n\nWords.\n\n{{table empty}}\n\nAt {{speed:.0f}}.\n"),
             "## A\n\nWords.\n\nAt 8.\n");
 }
 
-TEST(MarkdownPage, ShowsTheFirstRowsOfALongTable) {
-  EXPECT_EQ(filled_text("{{rows 1}}\n| case |\n|:--|\n| {{cases.id}} |\n", results()),
-            "| case |\n|:--|\n| C1 |\n\nThe first 1 of 2 rows; all are in `cases.csv`.\n");
-}
-
-TEST(MarkdownPage, RepeatsALineForEachRow) {
-  EXPECT_EQ(filled_text("| case | speed |\n|:--|--:|\n| [{{cases.id}}]({{cases.id}}/) | "
-                        "{{cases.threshold:.1f}} rad/s |\n",
-                        results()),
+TEST(MarkdownPage, ShowsTablesAndRepeatsALineForEachRow) {
+  const std::string rest = "\nThe first 1 of 2 rows; all are in `cases.csv`.\n";
+  const std::string head = "| id | threshold [rad/s] |\n|:--|--:|\n| C1 | 8.05 |\n";
+  EXPECT_EQ(filled("{{table cases}}\n"), head + "| C2 |  |\n");
+  EXPECT_EQ(filled("{{table cases 1}}\n"), head + rest);
+  EXPECT_EQ(filled("{{rows 1}}\n| case |\n|:--|\n| {{cases.id}} |\n"),
+            "| case |\n|:--|\n| C1 |\n" + rest);
+  EXPECT_EQ(filled("| case | speed |\n|:--|--:|\n| [{{cases.id}}]({{cases.id}}/) | "
+                   "{{cases.threshold:.1f}} rad/s |\n"),
             "| case | speed |\n|:--|--:|\n| [C1](C1/summary.md) | 8.1 rad/s |\n| "
             "[C2](C2/summary.md) | |\n");
-  EXPECT_EQ(filled_text("- {{cases.id}}: {{cases.threshold}}\n", results()), "- C1: 8.05\n");
-  EXPECT_EQ(filled_text("| id |\n|--|\n| {{empty.id}} |\n", results()), "");
+  EXPECT_EQ(filled("- {{cases.id}}: {{cases.threshold}}\n"), "- C1: 8.05\n");
 }
 
-TEST(MarkdownPage, ShowsTables) {
-  EXPECT_THAT(filled_text("{{table cases}}\n", results()),
-              AllOf(HasSubstr("| id | threshold [rad/s] |\n"), HasSubstr("| C1 | 8.05 |\n")));
-  EXPECT_THAT(
-      filled_text("{{table cases 1}}\n", results()),
-      AllOf(HasSubstr("The first 1 of 2 rows; all are in `cases.csv`."), Not(HasSubstr("C2"))));
-}
-
-TEST(MarkdownPage, RepeatsABlockForEachPart) {
+TEST(MarkdownPage, RefusesWhatTheResultsDoNotHave) {
   Results all = results();
+  all.add("solvers", {"\"><script>", "x", {}});
+  expect_refusals<std::logic_error>(
+      [&](const std::string& text) { return filled_page(page(text), all); },
+      {{"{{unknown}}\n", "unknown"},
+       {"{{table unknown}}\n", "unknown"},
+       {"| {{cases.unknown}} |\n", "unknown"},
+       {"{{fold More}}\n\nText.\n", "fold"},
+       {"{{choose solvers: S}}\n\nText.\n\n{{end}}\n", "\"><script>"}});
+  EXPECT_THROW(page_source("# Title\n"), std::logic_error);
+}
+
+/// What of a page is its own, without the SVG of its pictures.
+std::string own_html(const std::string& html) {
+  const std::size_t begin = html.find("<header>"), end = html.find("</main>") + 7;
+  static const std::regex picture("<svg class=\"ricochet-chart\"[^]*?</svg>");
+  return std::regex_replace(html.substr(begin, end - begin), picture, "<svg/>") + "</div>\n";
+}
+
+/// All that a page may have.
+TEST(MarkdownPage, IsAPageOfSectionsTablesAndPictures) {
+  Results all = results();
+  ricochet::Table rows{"rows", {{"i"}, {"sign"}}};
+  for (int i = 0; i < 13; ++i) rows.add(i, i % 2 == 0 ? "✓ good" : "✗ bad");
+  all.add(rows);
   for (const char* id : {"ipopt", "nlopt-cobyla"}) {
     Results own;
     own.set("kind", std::string(id) + "'s");
     own.add(Chart{.name = "ecdf", .title = id, .x = {"x"}, .y = {"y"}});
     all.add("solvers", {id, id, own});
   }
-  const PageSource source = page(
-      "# P\n\n## S\n\n{{choose solvers: Solver}}\n\n### {{kind}}\n\n{{chart ecdf}} Of "
-      "{{speed:.0f}}.\n\n{{end}}\n\nEnd.\n");
-  const auto [files, failures] = page_files(source, all);
+  const auto [files, failures] = page_files(
+      page("# Title\n\nIntro.\n\n## One & two\n\n{{chart counts}} Caption.\n\n"
+           "## Rows\n\n{{table rows}}\n\n[away](../count/#there)\n\n"
+           "| a | b < c | the \"best\" | f; |\n|:--|--:|--:|:--|\n| 1 | 2 | 3 | 4 |\n\n"
+           "|  | b |\n|:--|--:|\n| 1 < 2 | `x` |\n\n```console\n$ run\n\n$ stop\n```\n\n"
+           "## Solvers\n\n{{choose solvers: Solver}}\n\n### {{kind}}\n\n"
+           "{{chart ecdf}} Of {{speed:.0f}}.\n\n{{end}}\n\n{{fold More}}\n\nFolded.\n\n{{end}}\n\n"
+           "End.\n"),
+      all);
   EXPECT_THAT(failures, ElementsAre());
-  EXPECT_THAT(files.at("summary.md"),
-              AllOf(HasSubstr("### ipopt's\n\n![ipopt](ipopt-ecdf.svg)\nOf 8.\n"),
-                    HasSubstr("![nlopt-cobyla](nlopt-cobyla-ecdf.svg)")));
-  EXPECT_TRUE(files.contains("nlopt-cobyla-ecdf.svg"));
-  EXPECT_TRUE(files.contains("cases.csv"));
-  EXPECT_FALSE(files.contains("empty.csv"));
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  EXPECT_THAT(names, ElementsAre("cases.csv", "counts.svg", "index.html", "ipopt-ecdf.svg",
+                                 "nlopt-cobyla-ecdf.svg", "rows.csv", "summary.md"))
+      << "an empty table has no file";
+  expect_golden(files.at("summary.md"), "page.md");
   const std::string& html = files.at("index.html");
-  EXPECT_THAT(html, HasSubstr("<div class=\"choices\" data-label=\"Solver\">"));
-  EXPECT_THAT(html,
-              HasSubstr("<div class=\"choice\" id=\"nlopt-cobyla\" data-title=\"nlopt-cobyla\">"));
-  EXPECT_THAT(html, HasSubstr("</div></div>\n<p>End.</p>"));
-  EXPECT_THAT(filled_text("{{choose none: Solver}}\n\nText.\n\n{{end}}\n", all), "");
-}
-
-TEST(MarkdownPage, RefusesWhatTheResultsDoNotHave) {
-  EXPECT_THROW(filled_text("{{unknown}}\n", results()), std::logic_error);
-  EXPECT_THROW(filled_text("{{table unknown}}\n", results()), std::logic_error);
-  EXPECT_THROW(filled_text("| {{cases.unknown}} |\n", results()), std::logic_error);
-  EXPECT_THROW(filled_text("{{fold More}}\n\nText.\n", results()), std::logic_error);
-  EXPECT_THROW(page_source("# Title\n"), std::logic_error);
-  Results forged = results();
-  forged.add("solvers", {"\"><script>", "x", {}});
-  EXPECT_THROW(filled_text("{{choose solvers: S}}\n\nText.\n\n{{end}}\n", forged),
-               std::logic_error);
-}
-
-TEST(MarkdownPage, IsAPageOfSectionsTablesAndPictures) {
-  Results many = results();
-  ricochet::Table rows{"rows", {{"i"}, {"sign"}}};
-  for (int i = 0; i < 20; ++i) rows.add(i, i % 2 == 0 ? "✓ good" : "✗ bad");
-  many.add(rows);
-  const auto files =
-      page_files(page("# Title\n\nIntro.\n\n## One & two\n\n{{chart counts}} Caption.\n\n"
-                      "## Rows\n\n{{table rows}}\n\n[away](../count/#there)\n"),
-                 many)
-          .files;
-  const std::string& html = files.at("index.html");
-  EXPECT_THAT(html, HasSubstr("<h1>Title</h1>"));
-  EXPECT_THAT(html, HasSubstr("<section id=\"one--two\" aria-labelledby=\"one--two-heading\">"));
-  EXPECT_THAT(html, HasSubstr("<li><a href=\"#one--two\">One &amp; two</a></li>"));
-  EXPECT_THAT(html, HasSubstr("<figcaption>\nCaption.</figcaption>"));
-  EXPECT_THAT(html, HasSubstr("<svg class=\"ricochet-chart\""));
-  EXPECT_THAT(html, HasSubstr("Show all 20 rows"));
-  EXPECT_THAT(html, HasSubstr("class=\"left good\">✓ good"));
-  EXPECT_THAT(html, HasSubstr("<a href=\"../count/index.html#there\">away</a>"));
-  EXPECT_EQ(html.find("[[picture"), std::string::npos);
-  pugi::xml_document tree;
-  const std::size_t body = html.find("<main"), end = html.find("</main>");
-  EXPECT_TRUE(tree.load_string(html.substr(body, end + 7 - body).c_str()));
+  expect_golden(own_html(html), "page.html");
+  EXPECT_THAT(html, AllOf(HasSubstr(files.at("counts.svg")), HasSubstr("<html lang=\"en\">")));
+  EXPECT_TRUE(pugi::xml_document().load_string(own_html(html).c_str()));
 }
 
 /// The colours that the style replaces in the dark are those that charts are drawn in.
@@ -168,14 +149,14 @@ TEST(MarkdownPage, KnowsTheColoursOfItsCharts) {
       chart.lines.push_back({Direction::vertical, at, std::to_string(at)});
     two.add(chart);
   }
-  const auto files = page_files(page("# T\n\n{{chart lines}}\n\n{{chart points}}\n"), two).files;
+  const FileSet files = files_of("# T\n\n{{chart lines}}\n\n{{chart points}}\n", two);
   const std::string& html = files.at("index.html");
   const std::string svgs = files.at("lines.svg") + files.at("points.svg") +
-                           text_of_file(RICOCHET_SOURCE "/docs/machine.svg");
+                           text_of(std::filesystem::path(RICOCHET_SOURCE "/docs/machine.svg"));
   static const std::regex replaced("figure svg \\[(\\w+=\"[^\"]*\")\\]");
   int colours = 0;
   for (std::sregex_iterator it(html.begin(), html.end(), replaced), end; it != end; ++it) {
-    EXPECT_NE(svgs.find((*it)[1].str()), std::string::npos) << (*it)[1];
+    EXPECT_THAT(svgs, HasSubstr((*it)[1].str()));
     ++colours;
   }
   EXPECT_GT(colours, 10);
@@ -183,14 +164,11 @@ TEST(MarkdownPage, KnowsTheColoursOfItsCharts) {
 
 TEST(MarkdownPage, SaysWhyAChartIsMissingAndKeepsAllElse) {
   Results two = results();
-  two.add(Chart{.name = "wrong",
-                .title = "Wrong <one>",
-                .x = {"x"},
-                .y = {"y"},
-                .series = {{"a", Mark::line, {{0, 1e200}}}}});
+  two.add(changed(line_chart({{0, 1e200}}),
+                  [](Chart& chart) { chart.name = "wrong", chart.title = "Wrong <one>"; }));
   const auto [files, failures] =
       page_files(page("# T\n\n{{chart wrong}} Of it.\n\n{{chart counts}}\n"), two);
-  EXPECT_THAT(failures, ElementsAre("chart wrong could not be drawn: series \"a\", sample 0: "
+  EXPECT_THAT(failures, ElementsAre("chart wrong could not be drawn: series \"path\", sample 0: "
                                     "1e+200 is beyond 1e100"));
   EXPECT_FALSE(files.contains("wrong.svg"));
   EXPECT_THAT(files.at("summary.md"),
@@ -204,43 +182,27 @@ TEST(MarkdownPage, HasTheNumbersOfItsChartsAndTheRunsOfAView) {
   ricochet::Table runs{"view-runs", {{"a"}, {"b"}}};
   runs.add("</script>", 1);
   all.add(runs);
-  const auto files = page_files(page("# T\n\n{{view}}\n\n{{chart counts}}\n"), all).files;
-  const std::string& html = files.at("index.html");
+  const FileSet files = files_of("# T\n\n{{view}}\n\n{{chart counts}}\n", all);
   for (const char* part :
        {"class=\"chart-csv\">", "a,1,2\\n", "figure > script.chart-csv", "[\"\\u003c/script>\",1]",
         "id=\"view-form\"", ".view-form {", "class RunTable", "class Choice", "class Chart"}) {
-    EXPECT_THAT(html, HasSubstr(part));
+    EXPECT_THAT(files.at("index.html"), HasSubstr(part));
   }
   EXPECT_FALSE(files.contains("view-runs.csv"));
-  const auto plain = page_files(page("# T\n\nText.\n"), results()).files.at("index.html");
-  EXPECT_THAT(plain, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<link")),
-                           Not(HasSubstr("@import")), HasSubstr("<html lang=\"en\">")));
-}
-
-TEST(MarkdownPage, NamesTheRowsAndTheCellsOfATable) {
-  const std::string html =
-      page_files(page("# Title\n\n| a | b | c | d |\n|:--|--:|--:|:--|\n| 1 | 2 | 3 | 4 |\n"),
-                 results())
-          .files.at("index.html");
-  EXPECT_THAT(html,
-              HasSubstr("<table class=\"folding\" style=\"--1:&quot;a&quot;;--2:&quot;b&quot;;"
-                        "--3:&quot;c&quot;;--4:&quot;d&quot;;\">"));
-  EXPECT_THAT(html, HasSubstr("<th class=\"left\" scope=\"row\">1</th>"));
-  EXPECT_THAT(page_files(page("# Title\n\n|  | b |\n|:--|--:|\n| 1 | 2 |\n"), results())
-                  .files.at("index.html"),
-              HasSubstr("<td class=\"left\"></td>"));  // an empty cell heads nothing
+  EXPECT_THAT(files_of("# T\n\nText.\n", results()).at("index.html"),
+              AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<link")), Not(HasSubstr("@import"))));
 }
 
 TEST(MarkdownPage, ComesBackFromItsData) {
   Results before = results();
-  Chart map{.name = "map", .title = "Map", .x = {"x"}, .y = {"y"}};
-  map.x.categories = {"a", "b"};
-  map.y.categories = {"c"};
+  Chart map{.name = "map",
+            .title = "Map",
+            .x = {.label = "x", .categories = {"a", "b"}},
+            .y = {.label = "y", .categories = {"c"}}};
   map.heat_map = HeatMap{"share", {{0.5, std::nullopt}}, Range{0, 1}, {"view#c"}, {"&a", "&b"}};
   map.lines = {{Direction::vertical, 0.5, "here"}};
   before.add(map);
-  Chart areas{
-      .name = "areas", .title = "", .x = {"x", Scale::logarithmic, Range{1, 10}}, .y = {"y"}};
+  Chart areas{.name = "areas", .x = {"x", Scale::logarithmic, Range{1, 10}}, .y = {"y"}};
   areas.areas = {{"quiet", 0.25, {{{1, {0, 1}}, {2, {0, 3}}}}, "name"}};
   areas.series = {{"", Mark::points, {{1, 2, Range{1, 3}, "dot"}, {2, std::nullopt}}, true, true}};
   areas.description = "Words.";
@@ -264,6 +226,31 @@ TEST(MarkdownPage, EndsTheCommand) {
   source.keys["terminal"] = "cases, nothing, empty, speed";
   EXPECT_EQ(terminal_text(source, results()),
             "\n    threshold\nid    [rad/s]\nC1       8.05\nC2\n8.057\n");
+}
+
+HtmlPage converted(const std::string& markdown) {
+  return html_page(markdown, {.target = [](const std::string& link) {
+                     return link == "no" ? "" : "to/" + link;
+                   }});
+}
+
+TEST(Markdown, HasAnchorsAsCodeHostsMakeThem) {
+  const HtmlPage document =
+      converted("# What it *is*: 3 of 4\n\nFirst.\n\n## A `b_c` d\n\nSecond.\n");
+  EXPECT_EQ(document.title, "What it is: 3 of 4");
+  EXPECT_THAT(document.html, HasSubstr("<section id=\"a-b_c-d\""));
+  ASSERT_EQ(document.parts.size(), 2U);
+  EXPECT_EQ(document.parts[1].anchor, "a-b_c-d");
+  EXPECT_THAT(document.parts[1].text, HasSubstr("Second."));
+  EXPECT_THAT(document.parts[0].text, Not(HasSubstr("Second.")));
+}
+
+TEST(Markdown, LeadsLinksAndPicturesWhereTheSiteHasThemAndDropsComments) {
+  EXPECT_THAT(
+      converted("[one](a.md) [two](no) ![three](b.svg) ![four](no)\n\n<!-- not run: long -->").html,
+      AllOf(HasSubstr("<a href=\"to/a.md\">one</a>"), HasSubstr("<span>two</span>"),
+            HasSubstr("<img src=\"to/b.svg\" alt=\"three\">"), HasSubstr("<span>four</span>"),
+            Not(HasSubstr("not run"))));
 }
 
 }  // namespace

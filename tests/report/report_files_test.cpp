@@ -1,14 +1,15 @@
 #include "src/report/report_files.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
-#include <fstream>
-#include <iterator>
 #include <regex>
-#include <set>
+#include <stdexcept>
 
 #include "ricochet/error.h"
+#include "src/report/report.h"
+#include "src/report/text.h"
+#include "tests/support/files.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::report {
 namespace {
@@ -17,82 +18,79 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-using testing::ThrowsMessage;
+using testing::Pair;
 using testing::UnorderedElementsAre;
 
-class ReportFiles : public testing::Test {
+class ReportFiles : public TemporaryFolder {
  protected:
-  ReportFiles()
-      : root_(fs::path(testing::TempDir()) /
-              (std::string("report_files_") + std::to_string(getpid()) + "_" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::create_directories(root_);
-  }
-  ~ReportFiles() override { fs::remove_all(root_); }
-
-  static std::string read(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
-
-  static std::set<std::string> names(const fs::path& folder) {
-    std::set<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder))
-      found.insert(entry.path().filename().string());
+  /// Each name in a folder with its text, which of a folder is "".
+  static std::map<std::string, std::string> content(const fs::path& folder) {
+    std::map<std::string, std::string> found;
+    for (const fs::path& path : fs::directory_iterator(folder)) {
+      const bool is_text = fs::is_regular_file(path) && path.filename() != "manifest.txt";
+      found[path.filename().string()] = is_text ? text_of(path) : "";
+    }
     return found;
   }
-
-  fs::path root_;
 };
 
 TEST_F(ReportFiles, ReplaceAnEarlierReportAndNothingElse) {
-  replace_files(root_ / "a" / "b", {{"old.svg", "old"}, {"both.svg", "1"}});
-  const fs::path folder = root_ / "a" / "b";
-  write(folder / "notes.txt", "mine");
-  write(folder / "logo.svg", "old");
+  const fs::path folder = folder_ / "a" / "b";
+  replace_files(folder, {{"old.svg", "old"}, {"both.svg", "1"}, {"changed.svg", "old"}});
+  write_file(folder / "notes.txt", "mine");
+  write_file(folder / "logo.svg", "old");
+  write_file(folder / "changed.svg", "by the user");
   replace_files(folder, {{"both.svg", "2"}, {"new.svg", "new"}});
-  EXPECT_THAT(names(folder),
-              UnorderedElementsAre("manifest.txt", "both.svg", "new.svg", "notes.txt", "logo.svg"));
-  EXPECT_EQ(read(folder / "both.svg"), "2");
-  EXPECT_EQ(read(folder / "notes.txt"), "mine");
-}
-
-TEST_F(ReportFiles, LeaveWhatTheUserHasChangedSince) {
-  replace_files(root_, {{"old.svg", "old"}});
-  write(root_ / "old.svg", "mine");
-  replace_files(root_, {{"new.svg", "new"}});
-  EXPECT_TRUE(fs::exists(root_ / "old.svg"));
+  EXPECT_THAT(content(folder),
+              UnorderedElementsAre(Pair("manifest.txt", ""), Pair("both.svg", "2"),
+                                   Pair("new.svg", "new"), Pair("notes.txt", "mine"),
+                                   Pair("logo.svg", "old"), Pair("changed.svg", "by the user")));
 }
 
 TEST_F(ReportFiles, OfAManifestThatSomeoneWroteTouchNothingElsewhere) {
-  for (const char* folder : {"a", "b"}) replace_files(root_ / folder, {{"old.svg", "old"}});
-  const fs::path manifest = root_ / "a" / "manifest.txt";
-  write(manifest, std::regex_replace(read(manifest), std::regex("old"), "../b/old"));
-  replace_files(root_ / "a", {{"new.svg", "new"}});
-  EXPECT_TRUE(fs::exists(root_ / "b" / "old.svg"));
+  for (const char* folder : {"a", "b"}) replace_files(folder_ / folder, {{"old.svg", "old"}});
+  const fs::path manifest = folder_ / "a" / "manifest.txt";
+  write_file(manifest, std::regex_replace(text_of(manifest), std::regex("old"), "../b/old"));
+  replace_files(folder_ / "a", {{"new.svg", "new"}});
+  EXPECT_TRUE(fs::exists(folder_ / "b" / "old.svg"));
 }
 
 TEST_F(ReportFiles, AreNotWrittenIntoAFolderThatCannotBe) {
-  write(root_ / "file", "mine");
-  for (const fs::path& folder : {root_ / "file", root_ / "file" / "deeper" / "still"})
-    EXPECT_THAT(
-        [&] {
-          replace_files(folder, {{"new.svg", "new"}});
-        },
-        ThrowsMessage<InputError>(
-            AllOf(HasSubstr((root_ / "file").string()), Not(HasSubstr("\n")))));
-  EXPECT_THAT(names(root_), UnorderedElementsAre("file"));
-  EXPECT_EQ(read(root_ / "file"), "mine");
+  const fs::path file = write_file(folder_ / "file", "mine");
+  for (const fs::path& folder : {file, file / "deeper" / "still"}) {
+    EXPECT_THAT(complaint_of([&] {
+                  replace_files(folder, {{"new.svg", "new"}});
+                }),
+                AllOf(HasSubstr(file.string()), Not(HasSubstr("\n"))));
+  }
+  EXPECT_THAT(content(folder_), UnorderedElementsAre(Pair("file", "mine")));
 }
 
 TEST_F(ReportFiles, StayAsTheyWereIfOneCannotBeReplaced) {
-  replace_files(root_, {{"index.html", "before"}, {"old.svg", "old"}});
-  fs::create_directory(root_ / "new.svg");
-  EXPECT_THROW(replace_files(root_, {{"index.html", "after"}, {"new.svg", "new"}}), InputError);
-  EXPECT_EQ(read(root_ / "index.html"), "before");
-  EXPECT_THAT(names(root_),
-              UnorderedElementsAre("index.html", "manifest.txt", "old.svg", "new.svg"));
+  replace_files(folder_, {{"index.html", "before"}, {"old.svg", "old"}});
+  fs::create_directory(folder_ / "new.svg");
+  EXPECT_THROW(replace_files(folder_, {{"index.html", "after"}, {"new.svg", "new"}}), InputError);
+  EXPECT_THAT(content(folder_),
+              UnorderedElementsAre(Pair("index.html", "before"), Pair("manifest.txt", ""),
+                                   Pair("old.svg", "old"), Pair("new.svg", "")));
+}
+
+/// Results that no page fits: drawing them fails.
+Json unfit(const char* report) {
+  return {{"report", report}, {"computed", "for hours"}};
+}
+
+TEST_F(ReportFiles, KeepTheDataOfAllPagesOfAReportThatCannotBeDrawn) {
+  Json data = unfit("comparison");
+  for (const char* name : {"one", "two"})
+    data["pages"].push_back({{"folder", name}, {"data", unfit("comparison_family")}});
+  EXPECT_THROW(static_cast<void>(write_report(data, folder_)), std::logic_error);
+  const auto kept = [&](const char* folder) {
+    return data_in(text_of(folder_ / folder / "data.json"));
+  };
+  EXPECT_EQ(kept(""),
+            (Json{{"report", "comparison"}, {"computed", "for hours"}, {"pages", {"one", "two"}}}));
+  for (const char* name : {"one", "two"}) EXPECT_EQ(kept(name), unfit("comparison_family"));
 }
 
 }  // namespace

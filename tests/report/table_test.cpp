@@ -6,10 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <random>
 
 #include "src/report/json.h"
+#include "tests/support/golden.h"
+#include "tests/support/numbers.h"
 
 namespace ricochet {
 namespace {
@@ -24,7 +25,7 @@ Table runs() {
   table.add("b", "p", 2.5, true);
   table.add("a", "p", 1.25, false);
   table.add("b", "q", std::nullopt, false);
-  table.add("a", "q", std::numeric_limits<double>::infinity(), true);
+  table.add("a", "q", infinity, true);
   return table;
 }
 
@@ -35,20 +36,22 @@ std::vector<std::string> column(const Table& table, const std::string& name) {
 }
 
 TEST(Table, WritesNumbersAsTheFormatSays) {
-  EXPECT_EQ(text_of(value_of(0.1254), ".1%"), "12.5");
-  EXPECT_EQ(text_of(value_of(0.00125), ".3gm"), "1.25");
-  EXPECT_EQ(text_of(value_of(-1e-9), ".2f"), "0.00");
-  EXPECT_EQ(text_of(value_of(3), ".1f"), "3.0");
-  EXPECT_EQ(text_of(value_of(3)), "3");
-  EXPECT_EQ(text_of(value_of(1.0 / 3)), "0.3333");
-  EXPECT_EQ(text_of(value_of(true)), "yes");
-  EXPECT_EQ(text_of(value_of(std::optional<double>())), "");
+  for (const auto& [value, format, text] : {std::tuple{value_of(0.1254), ".1%", "12.5"},
+                                            {value_of(0.00125), ".3gm", "1.25"},
+                                            {value_of(-1e-9), ".2f", "0.00"},
+                                            {value_of(3), ".1f", "3.0"},
+                                            {value_of(3), "", "3"},
+                                            {value_of(1.0 / 3), "", "0.3333"},
+                                            {value_of(true), "", "yes"},
+                                            {value_of(false), "", "no"},
+                                            {value_of(true), "mark", "✓"},
+                                            {value_of(false), "mark", "✗"},
+                                            {value_of(std::optional<double>()), "", ""},
+                                            {value_of(quiet_nan), "", ""},
+                                            {value_of(-infinity), "", ""}}) {
+    EXPECT_EQ(text_of(value, format), text);
+  }
   EXPECT_THROW(static_cast<void>(text_of(value_of(1.5), "d")), std::logic_error);
-}
-
-TEST(Table, HasNoNumberThatIsNotFinite) {
-  EXPECT_TRUE(is_missing(value_of(std::nan(""))));
-  EXPECT_TRUE(is_missing(runs().rows[3][2]));
 }
 
 TEST(Table, RefusesRowsAndColumnsThatDoNotFit) {
@@ -71,13 +74,15 @@ TEST(Table, KeepsRowsAndSortsThem) {
 }
 
 TEST(Table, AggregatesGroupsInTheOrderOfTheirFirstRows) {
-  const Table groups = aggregated(
-      runs(), {"solver"},
-      {{{"runs"}, "", count_of}, {{"gap"}, "gap", median_of}, {{"share"}, "solved", mean_of}});
-  EXPECT_THAT(column(groups, "solver"), ElementsAre("b", "a"));
-  EXPECT_THAT(column(groups, "runs"), ElementsAre("2", "2"));
-  EXPECT_THAT(column(groups, "gap"), ElementsAre("2.5", "1.25"));
-  EXPECT_THAT(column(groups, "share"), ElementsAre("0.5", "0.5"));
+  const Table groups = aggregated(runs(), {"solver"},
+                                  {{{"runs"}, "", count_of},
+                                   {{"gap"}, "gap", median_of},
+                                   {{"share"}, "solved", mean_of},
+                                   {{"solved"}, "solved", sum_of},
+                                   {{"all"}, "gap", sum_of},
+                                   {{"none"}, "problem", sum_of}});
+  EXPECT_EQ(csv_of(groups),
+            "solver,runs,gap,share,solved,all,none\nb,2,2.5,0.5,1,2.5,0\na,2,1.25,0.5,1,1.25,0\n");
 }
 
 TEST(Table, AggregatesAsSortingByHandDoes) {
@@ -114,29 +119,14 @@ TEST(Table, JoinsTheFirstMatch) {
 
 TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
   Table table = runs();
-  table.add("c|_%", "r,s", 1.0 / 3, true);
-  const std::string csv = csv_of(table);
-  EXPECT_THAT(csv, testing::StartsWith("solver,problem,gap,solved\nb,p,2.5,1\n"));
-  EXPECT_THAT(csv, HasSubstr("c|_%,\"r,s\",0.3333333333333333,1\n"));
-  EXPECT_THAT(markdown_of(table, 1), testing::StrEq("| solver | problem | gap [m/s] | solved |\n"
-                                                    "|:--|:--|--:|--:|\n"
-                                                    "| b | p | 2.50 | yes |\n"));
-  EXPECT_THAT(markdown_of(table), HasSubstr("| c\\|\\_% | r,s | 0.33 | yes |\n"));
-  EXPECT_THAT(latex_of(table), HasSubstr("c\\textbar{}\\_\\% & r,s & 0.33 & yes \\\\\n"));
-  EXPECT_THAT(latex_of(table), testing::StartsWith("\\begin{tabular}{llrr}\n"));
   table.columns[0].title = "the solver";
-  EXPECT_THAT(terminal_text_of(where(table, "solver", value_of("a"))),
-              testing::StrEq("the\n"
-                             "solver  problem  gap [m/s]  solved\n"
-                             "a       p             1.25      no\n"
-                             "a       q                      yes\n"));
-}
-
-TEST(Table, IsCutAtTheEdgeOfATerminal) {
-  const std::string whole = terminal_text_of(only(runs(), {"solver", "problem"}));
-  EXPECT_EQ(whole.substr(0, whole.find("\nb")), "solver  problem");
-  EXPECT_THAT(terminal_text_of(only(runs(), {"solver", "problem"}), 10),
-              testing::StartsWith("solver ...\nb       p\n"));
+  table.add("c|_%", "r,s", 1.0 / 3, true);
+  std::string all = markdown_of(table);
+  for (const std::string& text : {markdown_of(table, 1), csv_of(table), latex_of(table),
+                                  terminal_text_of(table), terminal_text_of(table, 18)}) {
+    all += "\n```text\n" + text + "```\n";
+  }
+  expect_golden(all, "table.md");
 }
 
 /// The head once and the rows batch by batch are the same file as all at once.
@@ -167,13 +157,13 @@ TEST(Table, HasExactNumbersAndNoLabelThatIsReadAsMissingInCsv) {
     EXPECT_TRUE(read == number || std::isnan(number)) << row;
     EXPECT_THAT(row, testing::EndsWith(",missing-value\n"));
   }
-  table.rows = {{-std::numeric_limits<double>::infinity(), std::string("two\nlines")}};
+  table.rows = {{-infinity, std::string("two\nlines")}};
   EXPECT_EQ(csv_of(table, Lines::rows), "-inf,two\\x0alines\n");
 }
 
 TEST(Table, IsAListOfObjectsInJson) {
   Table table = runs();
-  table.rows[3][2] = std::numeric_limits<double>::infinity();
+  table.rows[3][2] = infinity;
   const report::Json rows = json_rows_of(table);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].dump(), R"({"solver":"b","problem":"p","gap":2.5,"solved":true})");

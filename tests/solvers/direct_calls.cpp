@@ -1,14 +1,24 @@
 #include "tests/solvers/direct_calls.h"
 
 #include <ceres/ceres.h>
-#include <fmt/format.h>
+#include <dlfcn.h>
 #include <nlopt.h>
 
+#include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
+#include "ricochet/run.h"
 #include "solvers/adjustable_solver.h"
+#include "solvers/library_solvers.h"
 #include "solvers/nlopt.h"
+#include "tests/solvers/direct_tao.h"
+#include "tests/support/problems.h"
+
+#ifdef RICOCHET_HAS_DLIB
+#include <dlib/global_optimization/global_function_search.h>
+#endif
 
 namespace ricochet {
 
@@ -23,6 +33,10 @@ Vector DirectCall::x(const Vector& u) const {
   return problem.lower + scale().cwiseProduct(u);
 }
 
+Vector DirectCall::at(const double* u) const {
+  return x(Eigen::Map<const Vector>(u, problem.dimension()));
+}
+
 Vector DirectCall::u(const Vector& x) const {
   if (coordinates == Coordinates::own) return x;
   return (x - problem.lower).cwiseQuotient(scale());
@@ -32,17 +46,13 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-std::vector<double> listed(const Vector& x) {
-  return {x.begin(), x.end()};
-}
-
 // NLopt
 
 struct ForNlopt {
   /// Once NLopt is at its limit, known points are free: AUGLAG then looks again at the best one.
   Derivatives at(const double* point, bool slopes, Part part) {
-    const Vector x = call.x(Eigen::Map<const Vector>(point, call.problem.dimension()));
-    const bool known = !known_points.insert(listed(x)).second;
+    const Vector x = call.at(point);
+    const bool known = !known_points.insert({x.begin(), x.end()}).second;
     if (known && objectives > call.limit && !slopes) return {call.problem.evaluate(x), {}, {}};
     if (!slopes) return {*call.evaluator.values(x, part), {}, {}};
     Derivatives seen = *call.evaluator.derivatives(x, part);
@@ -200,7 +210,7 @@ class ForCeres : public ceres::CostFunction {
     mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.dimension()));
   }
   bool Evaluate(double const* const* u, double* values, double** jacobians) const override {
-    const Vector x = call_.x(Eigen::Map<const Vector>(u[0], call_.problem.dimension()));
+    const Vector x = call_.at(u[0]);
     Eigen::Map<Vector> told(values, num_residuals());
     if (!jacobians || !jacobians[0]) {
       told = *call_.evaluator.residual_values(x);
@@ -238,11 +248,88 @@ Vector call_ceres_least_squares(const DirectCall& call) {
   return call.x(u);
 }
 
+#ifdef RICOCHET_HAS_DLIB
+Vector call_dlib(const DirectCall& call) {
+  using Column = dlib::matrix<double, 0, 1>;
+  const auto column = [](const Vector& from) {
+    Column to(from.size());
+    std::copy(from.begin(), from.end(), to.begin());
+    return to;
+  };
+  const auto value = [&](const Column& u) {
+    return -call.evaluator.values(call.at(u.begin()))->objective;
+  };
+  const Column start = column(call.u(call.problem.start));
+  const dlib::function_spec box(column(call.u(call.problem.lower)),
+                                column(call.u(call.problem.upper)));
+  dlib::global_function_search search({box}, {{{start, value(start)}}});
+  search.set_seed(static_cast<std::time_t>(call.seed));
+  for (int k = 1; k < call.limit; ++k) {
+    dlib::function_evaluation_request request = search.get_next_x();
+    request.set(value(request.x()));
+  }
+  Column best;
+  double highest = 0;
+  std::size_t of = 0;
+  search.get_best_function_eval(best, highest, of);
+  return call.at(best.begin());
+}
+#endif
+
+#ifdef RICOCHET_HAS_TAO
+double tell(void* data, const double* u, double* gradient, double* residuals, double* jacobian) {
+  const DirectCall& call = *static_cast<const DirectCall*>(data);
+  const Vector x = call.at(u);
+  if (residuals) {
+    const Vector seen = *call.evaluator.residual_values(x);
+    std::copy(seen.begin(), seen.end(), residuals);
+    return 0;
+  }
+  if (jacobian) {
+    const Matrix seen = call.evaluator.residuals(x, Part::jacobian)->jacobian;
+    Eigen::Map<Matrix>(jacobian, seen.rows(), seen.cols()) = seen * call.scale().asDiagonal();
+    return 0;
+  }
+  if (!gradient) return call.evaluator.values(x)->objective;
+  const Derivatives seen = *call.evaluator.derivatives(x);
+  Eigen::Map<Vector>(gradient, x.size()) = seen.gradient.cwiseProduct(call.scale());
+  return seen.values.objective;
+}
+
+using CallOfTao = void (*)(const DirectTao*, const char*, double*);
+
+CallOfTao loaded_tao() {
+  for (const Solver& solver : tao_solvers()) run(sphere(2, 3), solver, {5}, 0);  // starts PETSc
+  void* library = dlopen(RICOCHET_DIRECT_TAO, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+  void* call = library ? dlsym(library, "direct_tao") : nullptr;
+  if (!call) throw std::runtime_error(dlerror());
+  return reinterpret_cast<CallOfTao>(call);
+}
+
+Vector call_tao(const std::string& solver, const DirectCall& call) {
+  static const CallOfTao directly = loaded_tao();
+  const bool of_residuals = solver == "tao-pounders" || solver == "tao-brgn";
+  const Problem& problem = call.problem;
+  const auto n = static_cast<int>(problem.dimension());
+  const Vector lower = call.u(problem.lower), upper = call.u(problem.upper);
+  const int m = of_residuals ? static_cast<int>(problem.residuals(problem.start).values.size()) : 0;
+  const DirectTao asked{
+      n, m, call.limit, lower.data(), upper.data(), tell, const_cast<DirectCall*>(&call)};
+  Vector u = call.u(problem.start).cwiseMax(lower).cwiseMin(upper);
+  directly(&asked, solver.substr(4).c_str(), u.data());
+  return call.x(u);
+}
+#endif
+
 }  // namespace
 
 std::function<Vector(const DirectCall&)> direct_call(const std::string& solver) {
+  using Call = Vector (*)(const std::string&, const DirectCall&);
+  const auto named = [&](Call call) {
+    return [=](const DirectCall& asked) { return call(solver, asked); };
+  };
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
-    if (solver != fmt::format("nlopt-{}", algorithm.name)) continue;
+    if (solver != std::string("nlopt-") + algorithm.name) continue;
     return [algorithm](const DirectCall& call) { return call_nlopt(algorithm, call); };
   }
   if (solver == "ceres-lbfgs") return call_ceres;
@@ -251,19 +338,13 @@ std::function<Vector(const DirectCall&)> direct_call(const std::string& solver) 
   if (solver == "dlib-global-search") return call_dlib;
 #endif
 #ifdef RICOCHET_HAS_IPOPT
-  if (solver.starts_with("ipopt")) {
-    return [solver](const DirectCall& call) { return call_ipopt(solver, call); };
-  }
+  if (solver.starts_with("ipopt")) return named(call_ipopt);
 #endif
 #ifdef RICOCHET_HAS_TAO
-  if (solver.starts_with("tao-")) {
-    return [solver](const DirectCall& call) { return call_tao(solver, call); };
-  }
+  if (solver.starts_with("tao-")) return named(call_tao);
 #endif
 #ifdef RICOCHET_HAS_PAGMO
-  if (solver.starts_with("pagmo-")) {
-    return [solver](const DirectCall& call) { return call_pagmo(solver, call); };
-  }
+  if (solver.starts_with("pagmo-")) return named(call_pagmo);
 #endif
   return nullptr;
 }

@@ -27,13 +27,12 @@ struct DirectCall {
   Vector width() const { return problem.upper - problem.lower; }
   Vector scale() const;
   Vector x(const Vector& u) const;
+  Vector at(const double* u) const;  ///< x(u)
   Vector u(const Vector& x) const;
 };
 
-Vector call_dlib(const DirectCall& call);
 Vector call_ipopt(const std::string& solver, const DirectCall& call);
 Vector call_pagmo(const std::string& solver, const DirectCall& call);
-Vector call_tao(const std::string& solver, const DirectCall& call);
 
 /// The call of this solver's library; it returns the point x that the library returns. Empty for a
 /// solver that is ricochet's own.

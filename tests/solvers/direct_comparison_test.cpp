@@ -7,55 +7,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/suite/machine.h"
-#include "problems/classic/classic.h"
-#include "ricochet/run.h"
-#include "ricochet/solver.h"
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
-#include "tests/support/problems.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet {
 namespace {
 
 constexpr int instances = 4;
-constexpr std::int64_t gradient_price = 2;     // evaluations
-constexpr std::int64_t evaluations = 100;      // for each variable
-constexpr std::int64_t dlib_evaluations = 60;  // its time grows with the square of their number
-
-Problem wanted(const std::string& name, const std::string& formulation) {
-  for (const auto& families : {classic::families(), carrier_track::case_families()}) {
-    for (const Family& family : families) {
-      for (const Problem& problem : family.problems) {
-        if (problem.name != name) continue;
-        return problem.formulated(problem.formulation_named(formulation));
-      }
-    }
-  }
-  throw std::logic_error("no problem " + name);
-}
+constexpr std::int64_t gradient_price = 2;      // evaluations
+constexpr std::int64_t evaluations_each = 100;  // for each variable
+constexpr std::int64_t dlib_evaluations = 60;   // its time grows with the square of their number
 
 /// With bounds, inequalities, equations; sums of squares; functions with one and many minima; a
 /// speed profile; a design.
 const std::vector<Problem>& twelve() {
-  static const std::vector<Problem> problems = {wanted("hs-5", ""),
-                                                wanted("hs-38", ""),
-                                                wanted("hs-40", ""),
-                                                wanted("hs-43", ""),
-                                                wanted("hs-71", ""),
-                                                wanted("least-squares-09-helical-valley-3x3", ""),
-                                                wanted("least-squares-17-kowalik-osborne-4x11", ""),
-                                                wanted("least-squares-25-box-3d-3x10", ""),
-                                                wanted("classic-rosenbrock-5", ""),
-                                                wanted("classic-hartmann-6", ""),
-                                                wanted("profile-wear-4-C2", ""),
-                                                wanted("design-count-C5", "penalised-surrogate")};
+  static const std::vector<Problem> problems = [] {
+    std::vector<Problem> all;
+    for (const char* name :
+         {"hs-5", "hs-38", "hs-40", "hs-43", "hs-71", "least-squares-09-helical-valley-3x3",
+          "least-squares-17-kowalik-osborne-4x11", "least-squares-25-box-3d-3x10",
+          "classic-rosenbrock-5", "classic-hartmann-6", "profile-wear-4-C2", "design-count-C5"}) {
+      const Problem problem = suite_problem(name);
+      const char* formulation = problem.name == "design-count-C5" ? "penalised-surrogate" : "";
+      all.push_back(problem.formulated(problem.formulation_named(formulation)));
+    }
+    return all;
+  }();
   return problems;
 }
 
@@ -84,43 +66,23 @@ Solver library_of(const Solver& solver, const Problem& problem, std::int64_t bud
   return without_restarts(direct);
 }
 
-/// Of one start.
-struct Outcome {
-  bool solved = false;
-  double spent = 0;  ///< evaluations until solved, or else those of the budget
+/// What the adapter, or its library, did on all instances.
+struct Side {
+  int solved = 0;
+  int first = 0;  ///< instances that it solved with fewer evaluations than the other
+  double spent = 0;
 };
 
-Outcome outcome_of(const RunRecord& record, const Problem& problem, std::int64_t budget) {
-  const Verdict verdict = judge(record, problem, problem.tolerance);
-  const bool solved = verdict.solved && *verdict.evaluations_to_solve <= budget;
-  return {solved, static_cast<double>(solved ? *verdict.evaluations_to_solve : budget)};
-}
-
-/// Adapter and library on the same instances.
 struct Compared {
   int problems = 0, starts = 0;
-  int adapter_solved = 0, library_solved = 0;
-  int adapter_first = 0, library_first = 0;  ///< who solved an instance with fewer evaluations
-  double adapter_spent = 0, library_spent = 0;
+  Side adapter, library;
   double farthest = 0;  ///< relative difference of what they spent, the largest of all instances
-
-  void add(const Outcome& adapter, const Outcome& library) {
-    ++starts;
-    adapter_solved += adapter.solved;
-    library_solved += library.solved;
-    adapter_spent += adapter.spent;
-    library_spent += library.spent;
-    const auto rank = [](const Outcome& of) { return of.solved ? of.spent : HUGE_VAL; };
-    adapter_first += rank(adapter) < rank(library);
-    library_first += rank(library) < rank(adapter);
-    farthest = std::max(farthest, std::abs(adapter.spent - library.spent) / library.spent);
-  }
 
   /// Exact sign test, two-sided: the probability of so uneven a number of firsts by chance.
   double p() const {
-    const int n = adapter_first + library_first;
+    const int n = adapter.first + library.first;
     double sum = 0;
-    for (int k = 0; k <= std::min(adapter_first, library_first); ++k) {
+    for (int k = 0; k <= std::min(adapter.first, library.first); ++k) {
       sum += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) -
                       n * std::log(2.0));
     }
@@ -128,35 +90,48 @@ struct Compared {
   }
 };
 
+/// The evaluations until a run has solved its problem, infinite if that is beyond the budget.
+double evaluations_to_solve(const RunRecord& record, const Problem& problem, std::int64_t budget) {
+  const auto evaluations = judge(record, problem, problem.tolerance).evaluations_to_solve;
+  return evaluations && *evaluations <= budget ? static_cast<double>(*evaluations) : infinity;
+}
+
 Compared compared(const Solver& solver) {
   Compared result;
   for (const Problem& stated : twelve()) {
     if (!solver.accepts(stated)) continue;
     ++result.problems;
     for (int number = 1; number <= instances; ++number) {
-      const Problem problem = ricochet::instance(stated, number);
+      const Problem problem = instance(stated, number);
       const bool dlib = solver.name.starts_with("dlib");
-      const std::int64_t budget = dlib ? dlib_evaluations : evaluations * problem.dimension();
-      constexpr double endless = std::numeric_limits<double>::infinity();
-      const RunRecord adapter =
-          run(problem, without_restarts(solver), {budget, endless, gradient_price}, 0);
-      const RunRecord library = run(problem, library_of(solver, problem, budget),
-                                    {1'000'000'000, endless, gradient_price}, 0);
-      result.add(outcome_of(adapter, problem, budget), outcome_of(library, problem, budget));
+      const std::int64_t budget = dlib ? dlib_evaluations : evaluations_each * problem.dimension();
+      const double adapter = evaluations_to_solve(
+          run(problem, without_restarts(solver), {budget, infinity, gradient_price}, 0), problem,
+          budget);
+      const double library = evaluations_to_solve(run(problem, library_of(solver, problem, budget),
+                                                      {1'000'000'000, infinity, gradient_price}, 0),
+                                                  problem, budget);
+      ++result.starts;
+      const auto spent = [&](double until_solved) {
+        return std::min(until_solved, static_cast<double>(budget));
+      };
+      const auto add = [&](Side& side, double own, double other) {
+        side.solved += own < infinity;
+        side.first += own < other;
+        side.spent += spent(own);
+      };
+      add(result.adapter, adapter, library);
+      add(result.library, library, adapter);
+      const double apart = std::abs(spent(adapter) - spent(library)) / spent(library);
+      result.farthest = std::max(result.farthest, apart);
     }
   }
   return result;
 }
 
-std::vector<Solver> of_libraries() {
-  std::vector<Solver> solvers = all_solvers();
-  std::erase_if(solvers, [](const Solver& solver) { return !direct_call(solver.name); });
-  return solvers;
-}
-
 /// What the caller does otherwise than the adapter; empty if nothing that runs depend on.
 std::string difference(const Solver& solver) {
-  const auto is = [&](std::initializer_list<const char*> names) {
+  const auto is = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), solver.name) != names.end();
   };
   if (solver.name == "ceres-lbfgs") return "bounds, which are left out";
@@ -183,25 +158,25 @@ TEST_P(DirectComparison, TheAdapterIsNoWorseThanItsLibrary) {
   fmt::print(
       "{:22} {:2} problems {:2} starts: solved {:2} {:2}, evaluations {:6.0f} {:6.0f}, first {:2} "
       "{:2}, p {:.3f}, at most {:.0f} % apart, in {} coordinates{}\n",
-      solver.name, result.problems, result.starts, result.adapter_solved, result.library_solved,
-      result.adapter_spent, result.library_spent, result.adapter_first, result.library_first,
+      solver.name, result.problems, result.starts, result.adapter.solved, result.library.solved,
+      result.adapter.spent, result.library.spent, result.adapter.first, result.library.first,
       result.p(), 100 * result.farthest,
       name_of(names_of(Coordinates{}), coordinates_of(solver.name)),
       other.empty() ? "" : "; the caller differs in: " + other);
   EXPECT_GT(result.problems, 1);
   if (other.empty()) {
-    EXPECT_EQ(result.adapter_solved, result.library_solved);
+    EXPECT_EQ(result.adapter.solved, result.library.solved);
     EXPECT_LE(result.farthest, 0.1);  // rounding moves single evaluations
   } else {
-    EXPECT_TRUE(result.adapter_first >= result.library_first || result.p() > 0.01);
+    EXPECT_TRUE(result.adapter.first >= result.library.first || result.p() > 0.01);
   }
 }
 
-std::string name_of_test(const testing::TestParamInfo<Solver>& tested) {
-  return test_name(tested.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, DirectComparison, testing::ValuesIn(of_libraries()), name_of_test);
+INSTANTIATE_TEST_SUITE_P(Of, DirectComparison,
+                         testing::ValuesIn(solvers_that([](const Solver& solver) {
+                           return direct_call(solver.name) != nullptr;
+                         })),
+                         by_solver);
 
 }  // namespace
 }  // namespace ricochet

@@ -42,23 +42,24 @@ class ForIpopt : public Ipopt::TNLP {
     Eigen::Map<Vector>(u, n) = call_.u(problem().start);
     return true;
   }
-  bool eval_f(Index n, const Number* u, bool, Number& told) override {
-    told = call_.evaluator.values(at(n, u), Part::objective)->objective;
+  bool eval_f(Index, const Number* u, bool, Number& told) override {
+    told = call_.evaluator.values(call_.at(u), Part::objective)->objective;
     return true;
   }
   bool eval_grad_f(Index n, const Number* u, bool, Number* told) override {
-    const Vector slope = call_.evaluator.derivatives(at(n, u), Part::objective)->gradient;
+    const Vector slope = call_.evaluator.derivatives(call_.at(u), Part::objective)->gradient;
     Eigen::Map<Vector>(told, n) = slope.cwiseProduct(call_.scale());
     return true;
   }
-  bool eval_g(Index n, const Number* u, bool, Index m, Number* told) override {
-    Eigen::Map<Vector>(told, m) = call_.evaluator.values(at(n, u), both_constraints)->constraints;
+  bool eval_g(Index, const Number* u, bool, Index m, Number* told) override {
+    Eigen::Map<Vector>(told, m) =
+        call_.evaluator.values(call_.at(u), both_constraints)->constraints;
     return true;
   }
   bool eval_jac_g(Index n, const Number* u, bool, Index m, Index, Index* rows, Index* columns,
                   Number* told) override {
     if (told) {
-      const auto seen = call_.evaluator.derivatives(at(n, u), both_constraints);
+      const auto seen = call_.evaluator.derivatives(call_.at(u), both_constraints);
       Eigen::Map<RowMajor>(told, m, n) = seen->jacobian * call_.scale().asDiagonal();
       return true;
     }
@@ -71,7 +72,7 @@ class ForIpopt : public Ipopt::TNLP {
   bool eval_h(Index n, const Number* u, bool, Number factor, Index m, const Number* multipliers,
               bool, Index, Index* rows, Index* columns, Number* told) override {
     const Matrix curves = told ? *call_.evaluator.lagrangian_hessian(
-                                     at(n, u), factor, Eigen::Map<const Vector>(multipliers, m))
+                                     call_.at(u), factor, Eigen::Map<const Vector>(multipliers, m))
                                : Matrix();
     const Vector scale = call_.scale();
     for (Index i = 0, k = 0; i < n; ++i) {
@@ -86,17 +87,16 @@ class ForIpopt : public Ipopt::TNLP {
     }
     return true;
   }
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* u, const Number*,
-                         const Number*, Index, const Number*, const Number*, Number,
-                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    returned = at(n, u);
+  void finalize_solution(Ipopt::SolverReturn, Index, const Number* u, const Number*, const Number*,
+                         Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
+                         Ipopt::IpoptCalculatedQuantities*) override {
+    returned = call_.at(u);
   }
 
   Vector returned;
 
  private:
   const Problem& problem() const { return call_.problem; }
-  Vector at(Index n, const Number* u) const { return call_.x(Eigen::Map<const Vector>(u, n)); }
 
   const DirectCall& call_;
   bool exact_;

@@ -30,8 +30,7 @@ struct ForPagmo {
   const DirectCall* call = nullptr;
 
   pagmo::vector_double fitness(const pagmo::vector_double& u) const {
-    const auto n = static_cast<Eigen::Index>(u.size());
-    const Values seen = *call->evaluator.values(call->x(Eigen::Map<const Vector>(u.data(), n)));
+    const Values seen = *call->evaluator.values(call->at(u.data()));
     pagmo::vector_double told = {seen.objective};
     told.insert(told.end(), seen.constraints.begin(), seen.constraints.end());
     return told;
@@ -72,55 +71,48 @@ Vector call_pagmo(const std::string& solver, const DirectCall& call) {
   const double f = std::numeric_limits<double>::min();
   const double x = 1e-8 * call.width().cwiseQuotient(call.scale()).maxCoeff();
   const auto generations = static_cast<unsigned>(call.limit) / static_cast<unsigned>(size) + 1;
-  const auto evolved = [&](const auto& algorithm, std::size_t members, const Vector& start) {
-    return algorithm.evolve(population_of(call, members, start, seed));
-  };
-  const auto best = [&](const pagmo::population& population) {
-    const pagmo::vector_double u = population.get_x()[population.best_idx()];
-    return call.x(Eigen::Map<const Vector>(u.data(), std::ssize(u)));
+  const auto best = [&](const auto& algorithm, std::size_t members, const Vector& start) {
+    const pagmo::population population =
+        algorithm.evolve(population_of(call, members, start, seed));
+    return call.at(population.get_x()[population.best_idx()].data());
   };
   const Vector& start = call.problem.start;
-  const auto cmaes = [&](double step) {
-    return pagmo::cmaes(generations, -1, -1, -1, -1, step, f, x, false, true, seed);
-  };
-  const double first_step = solver.ends_with("-tuned") ? 0.25 : 0.5;
-  if (solver == "pagmo-cmaes" || solver == "pagmo-cmaes-tuned") {
-    return best(evolved(cmaes(first_step), size, start));
-  }
+  const pagmo::cmaes cmaes(generations, -1, -1, -1, -1, solver.ends_with("-tuned") ? 0.25 : 0.5, f,
+                           x, false, true, seed);
+  if (solver == "pagmo-cmaes" || solver == "pagmo-cmaes-tuned") return best(cmaes, size, start);
   if (solver.starts_with("pagmo-cmaes-ipop")) {
     Random random(call.seed);
     Vector from = start;
     for (;; size *= 2) {
-      const Vector found = best(evolved(cmaes(first_step), size, from));
+      const Vector found = best(cmaes, size, from);
       if (call.evaluator.ledger().charged >= call.limit) return found;
       from = uniform_point(call.problem.lower, call.problem.upper, random);
     }
   }
   if (solver == "pagmo-xnes") {
-    return best(
-        evolved(pagmo::xnes(generations, -1, -1, -1, -1, f, x, false, true, seed), size, start));
+    return best(pagmo::xnes(generations, -1, -1, -1, -1, f, x, false, true, seed), size, start);
   }
   if (solver == "pagmo-de") {
-    return best(evolved(pagmo::de(generations, 0.8, 0.9, 2, f, x, seed), size, start));
+    return best(pagmo::de(generations, 0.8, 0.9, 2, f, x, seed), size, start);
   }
   if (solver == "pagmo-sade") {
-    return best(evolved(pagmo::sade(generations, 2, 1, f, x, false, seed), size, start));
+    return best(pagmo::sade(generations, 2, 1, f, x, false, seed), size, start);
   }
   if (solver == "pagmo-de1220") {
     const auto variants = pagmo::de1220_statics<void>::allowed_variants;
-    return best(evolved(pagmo::de1220(generations, variants, 1, f, x, false, seed), size, start));
+    return best(pagmo::de1220(generations, variants, 1, f, x, false, seed), size, start);
   }
   if (solver == "pagmo-gaco") {
-    return best(evolved(pagmo::gaco(generations, static_cast<unsigned>(size), 1.0, 0.0, 0.01, 1, 7,
-                                    100000, 100000, 0.0, false, seed),
-                        size, start));
+    return best(pagmo::gaco(generations, static_cast<unsigned>(size), 1.0, 0.0, 0.01, 1, 7, 100000,
+                            100000, 0.0, false, seed),
+                size, start);
   }
   if (compass) {
     const double step = call.library_chooses ? 0.1 : 0.25;
-    return best(evolved(pagmo::compass_search(generations, step, 1e-8, 0.5), size, start));
+    return best(pagmo::compass_search(generations, step, 1e-8, 0.5), size, start);
   }
   const pagmo::de inner(1, 0.8, 0.9, 2, 0.0, 0.0, seed);
-  return best(evolved(pagmo::cstrs_self_adaptive(generations, inner, seed), size, start));
+  return best(pagmo::cstrs_self_adaptive(generations, inner, seed), size, start);
 }
 
 }  // namespace ricochet

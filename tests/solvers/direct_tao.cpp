@@ -10,47 +10,42 @@
 
 namespace {
 
-const DirectTao& of(void* context) {
-  return *static_cast<const DirectTao*>(context);
+/// Tells the numbers at x of what is not null.
+PetscErrorCode tell(Vec x, PetscReal* value, Vec gradient, Vec residuals, Mat jacobian,
+                    void* context) {
+  const auto& asked = *static_cast<const DirectTao*>(context);
+  const PetscScalar* at = nullptr;
+  PetscScalar *slope = nullptr, *rest = nullptr, *slopes = nullptr;
+  VecGetArrayRead(x, &at);
+  if (gradient) VecGetArray(gradient, &slope);
+  if (residuals) VecGetArray(residuals, &rest);
+  if (jacobian) MatDenseGetArrayWrite(jacobian, &slopes);
+  const double told = asked.tell(asked.data, at, slope, rest, slopes);
+  if (value) *value = told;
+  if (gradient) VecRestoreArray(gradient, &slope);
+  if (residuals) VecRestoreArray(residuals, &rest);
+  if (jacobian) {
+    MatDenseRestoreArrayWrite(jacobian, &slopes);
+    MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY);
+    MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY);
+  }
+  return VecRestoreArrayRead(x, &at);
 }
 
 PetscErrorCode objective(Tao, Vec x, PetscReal* value, void* context) {
-  const PetscScalar* at = nullptr;
-  VecGetArrayRead(x, &at);
-  *value = of(context).value(of(context).data, at);
-  return VecRestoreArrayRead(x, &at);
+  return tell(x, value, nullptr, nullptr, nullptr, context);
 }
 
 PetscErrorCode slope(Tao, Vec x, PetscReal* value, Vec gradient, void* context) {
-  const PetscScalar* at = nullptr;
-  PetscScalar* told = nullptr;
-  VecGetArrayRead(x, &at);
-  VecGetArray(gradient, &told);
-  *value = of(context).gradient(of(context).data, at, told);
-  VecRestoreArray(gradient, &told);
-  return VecRestoreArrayRead(x, &at);
+  return tell(x, value, gradient, nullptr, nullptr, context);
 }
 
 PetscErrorCode residuals(Tao, Vec x, Vec values, void* context) {
-  const PetscScalar* at = nullptr;
-  PetscScalar* told = nullptr;
-  VecGetArrayRead(x, &at);
-  VecGetArray(values, &told);
-  of(context).residuals(of(context).data, at, told);
-  VecRestoreArray(values, &told);
-  return VecRestoreArrayRead(x, &at);
+  return tell(x, nullptr, nullptr, values, nullptr, context);
 }
 
 PetscErrorCode jacobian(Tao, Vec x, Mat slopes, Mat, void* context) {
-  const PetscScalar* at = nullptr;
-  PetscScalar* told = nullptr;
-  VecGetArrayRead(x, &at);
-  MatDenseGetArrayWrite(slopes, &told);
-  of(context).jacobian(of(context).data, at, told);  // by columns
-  MatDenseRestoreArrayWrite(slopes, &told);
-  MatAssemblyBegin(slopes, MAT_FINAL_ASSEMBLY);
-  MatAssemblyEnd(slopes, MAT_FINAL_ASSEMBLY);
-  return VecRestoreArrayRead(x, &at);
+  return tell(x, nullptr, nullptr, nullptr, slopes, context);
 }
 
 Vec vector_of(int n, const double* values) {

@@ -4,9 +4,8 @@
 struct DirectTao {
   int n, m, limit;  ///< variables, residuals (0: none are shown), evaluations
   const double *lower, *upper;
-  double (*value)(void* data, const double* u);
-  double (*gradient)(void* data, const double* u, double* gradient);  ///< returns the value
-  void (*residuals)(void* data, const double* u, double* residuals);
-  void (*jacobian)(void* data, const double* u, double* by_columns);
+  /// Returns the value; tells of the rest what is not null, the Jacobian by columns.
+  double (*tell)(void* data, const double* u, double* gradient, double* residuals,
+                 double* jacobian);
   void* data;
 };

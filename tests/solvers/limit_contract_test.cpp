@@ -4,51 +4,36 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "problems/classic/classic.h"
-#include "ricochet/run.h"
-#include "ricochet/solver.h"
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
-#include "tests/support/problems.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet {
 namespace {
-
-Problem classic_problem(const std::string& name, int number) {
-  for (const Family& family : classic::families()) {
-    for (const Problem& problem : family.problems) {
-      if (problem.name == name) return ricochet::instance(problem, number);
-    }
-  }
-  throw std::logic_error("no problem " + name);
-}
 
 std::vector<Problem> problems() {
   return {sphere(1, 3),
           limited(7),
           disc(),
           arc(),
-          classic_problem("classic-rosenbrock-5", 3),
-          classic_problem("hs-26", 1),
-          classic_problem("hs-105", 2),
-          classic_problem("least-squares-08-rosenbrock-2x2-far", 1)};
+          instance(suite_problem("classic-rosenbrock-5"), 3),
+          instance(suite_problem("hs-26"), 1),
+          instance(suite_problem("hs-105"), 2),
+          instance(suite_problem("least-squares-08-rosenbrock-2x2-far"), 1)};
 }
 
-constexpr int evaluations = 300;  // three times as many with derivatives
+constexpr int full_budget = 300;  // three times as many with derivatives
 
 std::vector<std::int64_t> tenths(const Solver& solver) {
   const bool slopes = solver.capabilities.derivatives != Capabilities::Order::value;
   std::vector<std::int64_t> budgets = {1, 2, 5};
-  for (int k = 1; k <= 10; ++k) budgets.push_back((slopes ? 3 : 1) * evaluations * k / 10);
+  for (int k = 1; k <= 10; ++k) budgets.push_back((slopes ? 3 : 1) * full_budget * k / 10);
   return budgets;
 }
 
@@ -71,14 +56,6 @@ std::optional<Direct> within(std::int64_t budget, std::int64_t price,
     if (direct.charged <= budget) found = std::move(direct);
   }
   return found;
-}
-
-/// A run that its budget ended within its first search, and the values at the point returned.
-std::optional<RunRecord> cut(const Problem& problem, const Solver& solver, std::int64_t budget) {
-  RunRecord record = run(problem, solver, {budget}, 0);
-  const bool within_first = record.termination_reason == TerminationReason::evaluations &&
-                            record.terminations.size() == 1 && record.ledger.charged > 0;
-  return within_first ? std::optional(std::move(record)) : std::nullopt;
 }
 
 /// What the solver's library does with a limit, in the solver's coordinates; `run_seed` is of the
@@ -105,89 +82,67 @@ bool as_its_library(const Solver& solver, const Problem& problem, const RunRecor
   return record.returned && (record.returned->x - expected).norm() <= 1e-12 * (1 + expected.norm());
 }
 
-class AtLimitContract : public testing::TestWithParam<Solver> {};
+/// Calls `look` with every run of the solver that its budget ended within its first search, and
+/// that has evaluated a point; returns how many these are.
+int look_at_cuts(const Solver& solver, const std::vector<Problem>& on,
+                 const std::function<void(const Problem&, const RunRecord&)>& look) {
+  int cuts = 0;
+  for (const Problem& problem : on) {
+    if (!solver.accepts(problem)) continue;
+    for (const std::int64_t budget : tenths(solver)) {
+      // A call of Ipopt takes milliseconds.
+      const bool own = solver.at_limit == AtLimit::own_point;
+      if (own && solver.name.starts_with("ipopt") && (budget > 200 || problem.dimension() > 5)) {
+        continue;
+      }
+      const RunRecord record = run(problem, solver, {budget}, 0);
+      if (record.termination_reason != TerminationReason::evaluations) continue;
+      if (record.terminations.size() != 1 || record.trace.empty()) continue;
+      SCOPED_TRACE(fmt::format("{}, budget {}", problem.name, budget));
+      look(problem, record);
+      ++cuts;
+    }
+  }
+  return cuts;
+}
+
+bool is_worse_than_the_best_evaluated(const RunRecord& record) {
+  return !record.returned || better(best_of(record), record.returned->true_values);
+}
+
+class AtLimitContract : public testing::TestWithParam<Solver> {
+ protected:
+  const Solver& solver() const { return GetParam(); }
+};
 class OwnAtLimitContract : public AtLimitContract {};
 class BestAtLimitContract : public AtLimitContract {};
 
 TEST_P(OwnAtLimitContract, WhatTheLibraryReturnsAtItsLimitIsReturned) {
-  const Solver& solver = GetParam();
-  int compared = 0, moved = 0;
-  for (const Problem& problem : problems()) {
-    if (!solver.accepts(problem)) continue;
-    for (const std::int64_t budget : tenths(solver)) {
-      // A call of Ipopt takes milliseconds.
-      if (solver.name.starts_with("ipopt") && (budget > 200 || problem.dimension() > 5)) continue;
-      const auto record = cut(problem, solver, budget);
-      if (!record || record->trace.empty()) continue;
-      EXPECT_TRUE(as_its_library(solver, problem, *record)) << problem.name << ", " << budget;
-      moved += (record->returned->x - problem.start).norm() > 1e-6;
-      ++compared;
-    }
-  }
-  EXPECT_GT(compared, 3);
+  int moved = 0;
+  const auto look = [&](const Problem& problem, const RunRecord& record) {
+    EXPECT_TRUE(as_its_library(solver(), problem, record));
+    moved += (record.returned->x - problem.start).norm() > 1e-6;
+  };
+  EXPECT_GT(look_at_cuts(solver(), problems(), look), 3);
   EXPECT_GT(moved, 0);
 }
 
-// Prints, for each solver, how often the returned point of a run that its budget ended is worse
-// than its best evaluated one, and how often it is what its library returns at its own limit:
-// twelve problems, ten budgets. Run with
-// --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_Table'.
-TEST(AtItsLimit, DISABLED_Table) {
-  std::vector<Problem> twelve = {sphere(2, 3), disc(), arc()};
-  for (const auto& [name, number] :
-       {std::pair("classic-rosenbrock-5", 3), std::pair("classic-sphere-5", 2),
-        std::pair("classic-rastrigin-5", 1), std::pair("classic-ackley-5", 4),
-        std::pair("hs-16", 1), std::pair("hs-26", 1), std::pair("hs-71", 1), std::pair("hs-105", 2),
-        std::pair("least-squares-08-rosenbrock-2x2-far", 1)}) {
-    twelve.push_back(classic_problem(name, number));
-  }
-  fmt::print("solver | returns | runs cut | worse than best evaluated | as its library\n");
-  for (const Solver& solver : all_solvers()) {
-    int cuts = 0, worse = 0, same = 0;
-    const bool own = solver.at_limit == AtLimit::own_point;
-    for (const Problem& problem : twelve) {
-      if (!solver.accepts(problem)) continue;
-      for (int k = 1; k <= 10; ++k) {
-        const auto record = cut(problem, solver, tenths(solver)[static_cast<std::size_t>(2 + k)]);
-        if (!record || record->trace.empty()) continue;
-        ++cuts;
-        worse += !record->returned ||
-                 better(record->trace.back().true_values, record->returned->true_values);
-        same += own && as_its_library(solver, problem, *record);
-      }
-    }
-    fmt::print("{} | {} | {} | {} | {}\n", solver.name, own ? "its own point" : "best evaluated",
-               cuts, worse, own ? fmt::format("{}", same) : "-");
-  }
-}
-
 TEST_P(BestAtLimitContract, TheBestEvaluatedPointIsReturned) {
-  const Solver& solver = GetParam();
-  int compared = 0;
   std::vector<Problem> all = problems();
   all.push_back(half_a_number());
-  for (const Problem& problem : all) {
-    if (!solver.accepts(problem)) continue;
-    for (const std::int64_t budget : tenths(solver)) {
-      const auto record = cut(problem, solver, budget);
-      if (!record || record->trace.empty()) continue;
-      ASSERT_TRUE(record->returned) << problem.name << " " << budget;
-      const TrueValues& best = record->trace.back().true_values;
-      EXPECT_FALSE(better(best, record->returned->true_values))
-          << problem.name << ", budget " << budget << ": " << best.objective << " evaluated, "
-          << record->returned->true_values.objective << " returned";
-      ++compared;
-    }
-  }
-  EXPECT_GT(compared, 0);
+  EXPECT_GT(look_at_cuts(solver(), all,
+                         [](const Problem&, const RunRecord& record) {
+                           EXPECT_FALSE(is_worse_than_the_best_evaluated(record));
+                         }),
+            0);
 }
 
 TEST_P(AtLimitContract, APointIsReturnedOnlyWhereOneWasEvaluated) {
   int returned = 0;
   for (const Problem& problem : problems()) {
-    if (!GetParam().accepts(problem)) continue;
+    if (!solver().accepts(problem)) continue;
     for (const std::int64_t budget : {0, 1, 2, 3, 30}) {
-      const RunRecord record = run(problem, GetParam(), {budget}, 0);
+      const RunRecord record = run(problem, solver(), {budget}, 0);
       EXPECT_LE(record.returned.has_value(), record.ledger.charged > 0) << problem.name;
       returned += record.returned.has_value();
     }
@@ -197,19 +152,16 @@ TEST_P(AtLimitContract, APointIsReturnedOnlyWhereOneWasEvaluated) {
 
 // However a search is ended, it has asked the same until then, so it returns the same.
 TEST_P(AtLimitContract, APauseReturnsWhatABudgetReturns) {
-  const Solver& solver = GetParam();
-  if (solver.name.starts_with("continuation-")) GTEST_SKIP() << "it pauses its solver itself";
+  if (solver().name.starts_with("continuation-")) GTEST_SKIP() << "it pauses its solver itself";
   for (const Problem& problem : problems()) {
-    if (!solver.accepts(problem) || problem.dimension() > 3) continue;
+    if (!solver().accepts(problem) || problem.dimension() > 3) continue;
     for (const std::int64_t budget : {1, 4, 40}) {
-      std::vector<std::optional<Vector>> returned;
-      for (const bool paused : {false, true}) {
-        Evaluator evaluator(problem, {paused ? 1'000'000 : budget});
-        if (paused) evaluator.allow(budget);
-        Random random;
-        returned.push_back(solver.solve(evaluator, problem.start, random).point);
-      }
-      EXPECT_EQ(returned[0], returned[1]) << problem.name << ", " << budget;
+      Evaluator evaluator(problem, {1'000'000});
+      evaluator.allow(budget);
+      Random random;
+      EXPECT_EQ(solver().solve(evaluator, problem.start, random).point,
+                solved(problem, solver(), budget).point)
+          << problem.name << ", " << budget;
     }
   }
 }
@@ -217,21 +169,19 @@ TEST_P(AtLimitContract, APauseReturnsWhatABudgetReturns) {
 // The time ends at whatever call it does. The fireworks family divides what is left of the budget,
 // so a run with another budget asks other points.
 TEST_P(AtLimitContract, ATimeLimitReturnsWhatTheSameNumberOfEvaluationsReturns) {
-  const Solver& solver = GetParam();
   for (const Problem& problem : {disc(), sphere(2, 3)}) {
-    if (!solver.accepts(problem)) continue;
-    const RunRecord timed = run(problem, solver, {1'000'000, 0.003}, 0);
+    if (!solver().accepts(problem)) continue;
+    const RunRecord timed = run(problem, solver(), {1'000'000, 0.003}, 0);
     if (timed.termination_reason != TerminationReason::seconds || timed.trace.empty()) continue;
     ASSERT_TRUE(timed.returned) << problem.name;
-    if (solver.at_limit == AtLimit::best_evaluated) {
+    if (solver().at_limit == AtLimit::best_evaluated) {
       // A start that ended before the time did returned a point of its own.
       const bool only_start = timed.terminations.size() == 1;
-      EXPECT_FALSE(only_start &&
-                   better(timed.trace.back().true_values, timed.returned->true_values));
+      EXPECT_FALSE(only_start && is_worse_than_the_best_evaluated(timed));
       continue;
     }
     // The call that time refused may cost less than the one that the budget refuses.
-    const RunRecord counted = run(problem, solver, {timed.ledger.charged}, 0);
+    const RunRecord counted = run(problem, solver(), {timed.ledger.charged}, 0);
     if (counted.ledger.charged != timed.ledger.charged) continue;
     ASSERT_TRUE(counted.returned) << problem.name;
     EXPECT_EQ(counted.returned->x, timed.returned->x) << problem.name;
@@ -239,20 +189,14 @@ TEST_P(AtLimitContract, ATimeLimitReturnsWhatTheSameNumberOfEvaluationsReturns) 
 }
 
 std::vector<Solver> returning(AtLimit what) {
-  std::vector<Solver> solvers = all_solvers();
-  std::erase_if(solvers, [&](const Solver& solver) { return solver.at_limit != what; });
-  return solvers;
+  return solvers_that([&](const Solver& solver) { return solver.at_limit == what; });
 }
 
-std::string name_of(const testing::TestParamInfo<Solver>& tested) {
-  return test_name(tested.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, AtLimitContract, testing::ValuesIn(all_solvers()), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, AtLimitContract, testing::ValuesIn(all_solvers()), by_solver);
 INSTANTIATE_TEST_SUITE_P(Of, OwnAtLimitContract, testing::ValuesIn(returning(AtLimit::own_point)),
-                         name_of);
+                         by_solver);
 INSTANTIATE_TEST_SUITE_P(Of, BestAtLimitContract,
-                         testing::ValuesIn(returning(AtLimit::best_evaluated)), name_of);
+                         testing::ValuesIn(returning(AtLimit::best_evaluated)), by_solver);
 
 }  // namespace
 }  // namespace ricochet

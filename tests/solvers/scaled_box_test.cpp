@@ -1,27 +1,52 @@
 #include "solvers/scaled_box.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {
 
-TEST(ScaledBox, TakesCornersToCornersAndBack) {
+/// sphere(2, 3) on [-100, 300] x [2, upper].
+Problem oblong(double upper = 4) {
   Problem problem = sphere(2, 3);
   problem.lower = Vector{{-100, 2}};
-  problem.upper = Vector{{300, 4}};
+  problem.upper = Vector{{300, upper}};
+  return problem;
+}
+
+TEST(ScaledBox, IsTheUnitCubeEvenOrTheBoxOfTheProblem) {
+  const Problem problem = oblong();
   Evaluator evaluator(problem, {10});
-  const ScaledBox box(evaluator);
-  EXPECT_EQ(box.to_scaled(problem.lower), Vector::Zero(2));
-  EXPECT_EQ(box.to_scaled(problem.upper), Vector::Ones(2));
-  EXPECT_EQ(box.from_scaled(Vector{{0.25, 0.5}}), (Vector{{0, 3}}));
+  const struct {
+    Coordinates coordinates;
+    Vector lower, upper, of_1_3_half;
+  } cases[] = {{Coordinates::unit, Vector::Zero(2), Vector::Ones(2), Vector{{0.25, 0.5}}},
+               {Coordinates::even, Vector::Zero(2), Vector{{1, 0.005}}, Vector{{0.25, 0.0025}}},
+               {Coordinates::own, problem.lower, problem.upper, Vector{{0, 3}}}};
+  const Vector x{{0, 3}};
+  for (const auto& [coordinates, lower, upper, u] : cases) {
+    SCOPED_TRACE(name_of(names_of(Coordinates{}), coordinates));
+    ScaledBox box(evaluator, coordinates);
+    EXPECT_EQ(box.lower(), lower);
+    EXPECT_EQ(box.upper(), upper);
+    EXPECT_EQ(box.to_scaled(problem.lower), lower);
+    EXPECT_EQ(box.to_scaled(problem.upper), upper);
+    EXPECT_EQ(box.to_scaled(x), u);
+    EXPECT_EQ(box.from_scaled(u), x);
+    EXPECT_EQ(box.to_scaled(Vector{{-1000, 1000}}), (Vector{{lower[0], upper[1]}})) << "moved in";
+    EXPECT_EQ(box.derivatives(u)->gradient, Vector(Vector{{-6, 0}}.cwiseProduct(box.scale())));
+  }
+  EXPECT_EQ(ScaledBox(evaluator).scale(), (Vector{{400, 2}}));
+  EXPECT_EQ(ScaledBox(evaluator, Coordinates::even).scale(), (Vector{{400, 400}}));
 }
 
 TEST(ScaledBox, HasAPlaceForACoordinateWithoutWidth) {
-  Problem problem = sphere(2, 3);
-  problem.lower = Vector{{-100, 2}};
-  problem.upper = Vector{{300, 2}};
+  const Problem problem = oblong(2);
   Evaluator evaluator(problem, {10});
   for (const auto& [name, coordinates] : names_of(Coordinates{})) {
     ScaledBox box(evaluator, coordinates);
@@ -33,86 +58,140 @@ TEST(ScaledBox, HasAPlaceForACoordinateWithoutWidth) {
   }
 }
 
-TEST(ScaledBox, IsTheBoxOfTheProblemInItsOwnCoordinates) {
-  Problem problem = sphere(2, 3);
-  problem.lower = Vector{{-100, 2}};
-  problem.upper = Vector{{300, 4}};
-  Evaluator evaluator(problem, {10});
-  ScaledBox box(evaluator, Coordinates::own);
-  EXPECT_EQ(box.lower(), problem.lower);
-  EXPECT_EQ(box.upper(), problem.upper);
-  const Vector x{{0.1, 3.7}};
-  EXPECT_EQ(box.to_scaled(x), x);
-  EXPECT_EQ(box.from_scaled(x), x);
-  EXPECT_EQ(box.derivatives(x)->gradient, problem.differentiate(x).gradient);
-}
-
-TEST(ScaledBox, KeepsTheRatioOfTheSidesWhenTheLongestHasLengthOne) {
-  Problem problem = sphere(2, 3);
-  problem.lower = Vector{{-100, 2}};
-  problem.upper = Vector{{300, 4}};
-  Evaluator evaluator(problem, {10});
-  ScaledBox box(evaluator, Coordinates::even);
-  EXPECT_EQ(box.lower(), Vector::Zero(2));
-  EXPECT_EQ(box.upper(), (Vector{{1, 0.005}}));
-  EXPECT_EQ(box.from_scaled(Vector{{0.25, 0.0025}}), (Vector{{0, 3}}));
-  EXPECT_EQ(box.derivatives(Vector{{0.5, 0}})->gradient, 400 * (Vector{{194, -2}}));
-}
-
-TEST(ScaledBox, MovesAPointIntoTheBox) {
-  const Problem problem = sphere(2, 3);  // on [-100, 100]^2
-  Evaluator evaluator(problem, {10});
-  EXPECT_EQ(ScaledBox(evaluator).to_scaled(Vector{{-300, 300}}), (Vector{{0, 1}}));
-}
-
 TEST(ScaledBox, ScalesDerivativesByTheWidth) {
-  const Problem problem = disc();  // on [-2, 2]^2
-  Evaluator evaluator(problem, {10});
+  const Problem constrained = disc();  // on [-2, 2]^2
+  Evaluator evaluator(constrained, {10});
   ScaledBox box(evaluator);
   const auto seen = box.derivatives(Vector{{0.75, 0.25}});  // x = (1, -1)
   ASSERT_TRUE(seen);
   EXPECT_EQ(seen->gradient, Vector::Constant(2, 4));
   EXPECT_EQ(seen->jacobian.row(0).transpose(), (Vector{{8, -8}}));
-}
-
-TEST(ScaledBox, ScalesTheDerivativesOfResidualsByTheWidth) {
-  const Problem problem = sphere(2, 3);  // on [-100, 100]^2
-  Evaluator evaluator(problem, {10});
-  ScaledBox box(evaluator);
-  const auto seen = box.residuals(Vector{{0.75, 0.25}});  // x = (50, -50)
-  ASSERT_TRUE(seen);
-  EXPECT_EQ(seen->values, std::sqrt(2.0) * Vector({{47, -53}}));
-  EXPECT_EQ(seen->jacobian, 200 * std::sqrt(2.0) * Matrix::Identity(2, 2));
-}
-
-TEST(ScaledBox, ShowsAConstraintAtItsLimitAsZero) {
-  const Problem problem = disc();
-  Evaluator evaluator(problem, {10});
-  ScaledBox box(evaluator);
+  // A constraint at its limit is shown as zero.
   EXPECT_EQ(box.values(Vector{{0.75, 0.5}})->constraints[0], 0);
   EXPECT_EQ(box.derivatives(Vector{{0.5, 0.25}})->values.constraints[0], 0);
+
+  const Problem squares = sphere(2, 3);  // on [-100, 100]^2
+  Evaluator of_squares(squares, {10});
+  const auto residuals = ScaledBox(of_squares).residuals(Vector{{0.75, 0.25}});  // x = (50, -50)
+  ASSERT_TRUE(residuals);
+  EXPECT_EQ(residuals->values, std::sqrt(2.0) * Vector({{47, -53}}));
+  EXPECT_EQ(residuals->jacobian, 200 * std::sqrt(2.0) * Matrix::Identity(2, 2));
 }
 
 TEST(ScaledBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {
   const Problem problem = sphere(1, 3);
   Evaluator evaluator(problem, {10});
   ScaledBox box(evaluator);
-  EXPECT_FALSE(box.values(Vector::Constant(1, not_a_number)));
-  EXPECT_FALSE(box.derivatives(Vector::Constant(1, not_a_number)));
-  EXPECT_FALSE(box.residuals(Vector::Constant(1, not_a_number)));
+  const Vector nowhere = Vector::Constant(1, quiet_nan);
+  EXPECT_FALSE(box.values(nowhere) || box.derivatives(nowhere) || box.residuals(nowhere));
   EXPECT_FALSE(box.over()) << "the run goes on from another start";
 }
 
 TEST(Finite, LooksAtEveryNumber) {
-  const Values good{1.0, Vector::Ones(1)};
-  EXPECT_TRUE(finite(Derivatives{good, Vector::Ones(2), Matrix::Ones(1, 2)}));
-  EXPECT_FALSE(finite(Values{not_a_number, {}}));
-  EXPECT_FALSE(finite(Values{1.0, Vector::Constant(1, not_a_number)}));
-  EXPECT_FALSE(finite(Derivatives{good, Vector::Constant(2, not_a_number), Matrix::Ones(1, 2)}));
-  EXPECT_FALSE(finite(Derivatives{good, Vector::Ones(2), Matrix::Constant(1, 2, not_a_number)}));
-  EXPECT_TRUE(finite(Residuals{Vector::Ones(1), Matrix::Ones(1, 2)}));
-  EXPECT_FALSE(finite(Residuals{Vector::Constant(1, not_a_number), Matrix::Ones(1, 2)}));
-  EXPECT_FALSE(finite(Residuals{Vector::Ones(1), Matrix::Constant(1, 2, not_a_number)}));
+  for (const double number : {1.0, quiet_nan, infinity}) {
+    const bool good = std::isfinite(number);
+    const Vector one = Vector::Ones(1), vector{{1, number}};
+    const Matrix row{{1, 1}}, matrix{{1, number}};
+    EXPECT_EQ(finite(Values{number, {}}), good);
+    EXPECT_EQ(finite(Values{1.0, vector}), good);
+    EXPECT_EQ(finite(Derivatives{{1.0, one}, vector, row}), good);
+    EXPECT_EQ(finite(Derivatives{{1.0, one}, Vector::Ones(2), matrix}), good);
+    EXPECT_EQ(finite(Residuals{vector, row}), good);
+    EXPECT_EQ(finite(Residuals{one, matrix}), good);
+  }
+}
+
+Vector two(double a, double b) {
+  return Vector{{a, b}};
+}
+
+/// Schaffer's first problem: the squared distances from 0 and from 2, on -10..10. Together best are
+/// the points between: sqrt(f1) + sqrt(f2) = 2.
+SeveralGoals schaffer() {
+  return {1, 2, [](const Vector& u) {
+            const double x = 20 * u[0] - 10;
+            return two(x * x, (x - 2) * (x - 2));
+          }};
+}
+
+/// ZDT1 (Zitzler, Deb and Thiele, Evol. Comput. 8 (2000) 173-195): best is f2 = 1 - sqrt(f1), which
+/// below (1, 1) dominates 2/3.
+SeveralGoals zdt1(Eigen::Index n) {
+  return {n, 2, [n](const Vector& u) {
+            const double g = 1 + 9 * u.tail(n - 1).sum() / static_cast<double>(n - 1);
+            return two(u[0], g * (1 - std::sqrt(u[0] / g)));
+          }};
+}
+
+TEST(Dominance, IsNowhereWorseAndSomewhereBetter) {
+  EXPECT_TRUE(dominates(two(1, 2), two(1, 3)));
+  EXPECT_TRUE(dominates(two(0, 2), two(1, 3)));
+  EXPECT_FALSE(dominates(two(1, 2), two(1, 2)));
+  EXPECT_FALSE(dominates(two(0, 4), two(1, 3)));
+}
+
+TEST(Front, HoldsWhatNothingDominatesWhateverTheOrder) {
+  Random random(1);
+  std::vector<FrontPoint> all;
+  Front front;
+  for (int k = 0; k < 300; ++k) {
+    Vector goals(3);
+    for (double& goal : goals) goal = std::floor(10 * uniform(random));
+    all.push_back({{}, goals});
+    add(front, all.back());
+  }
+  for (const FrontPoint& point : all) {
+    bool dominated = false;
+    for (const FrontPoint& other : all) dominated |= dominates(other.goals, point.goals);
+    int times = 0;
+    for (const FrontPoint& kept : front) times += kept.goals == point.goals ? 1 : 0;
+    EXPECT_EQ(times, dominated ? 0 : 1) << point.goals.transpose();
+  }
+}
+
+TEST(Nsga2Front, FindsTheFrontOfSchaffer) {
+  const auto found = [](std::uint64_t seed) { return nsga2_front(schaffer(), {20, 30, seed, {}}); };
+  const Front front = found(1);
+  EXPECT_GT(front.size(), 15U);
+  double lowest = 4, highest = 0;
+  for (const FrontPoint& point : front) {
+    EXPECT_NEAR(std::sqrt(point.goals[0]) + std::sqrt(point.goals[1]), 2, 0.01);
+    EXPECT_EQ(schaffer().evaluate(point.u), point.goals);
+    lowest = std::min(lowest, point.goals[0]);
+    highest = std::max(highest, point.goals[0]);
+  }
+  EXPECT_LT(lowest, 0.05);
+  EXPECT_GT(highest, 3.5);
+  const Front again = found(1);
+  EXPECT_TRUE(std::equal(front.begin(), front.end(), again.begin(), again.end(),
+                         [](const FrontPoint& a, const FrontPoint& b) { return a.u == b.u; }));
+  EXPECT_NE(front.front().u, found(2).front().u) << "of another seed";
+}
+
+TEST(Hypervolume, IsTheAreaOfStairsAndNearlyThatOfTheFrontOfZdt1) {
+  const Front stairs = {{{}, two(0, 2)}, {{}, two(1, 1)}, {{}, two(5, 0)}};
+  EXPECT_DOUBLE_EQ(hypervolume(stairs, two(3, 3)), 3 * 1 + 2 * 1);  // the last is beyond
+  EXPECT_EQ(hypervolume({}, two(1, 1)), 0);
+  const double volume = hypervolume(nsga2_front(zdt1(5), {80, 100, 1, {}}), two(1, 1));
+  EXPECT_LT(volume, 2.0 / 3);
+  EXPECT_GT(volume, 0.65);
+}
+
+TEST(Nsga2Front, BeginsWithItsStartsAndAsksForAsMuchAsItSaysUnlessTheGoalsThrow) {
+  std::vector<Vector> asked;
+  SeveralGoals watched = zdt1(3);
+  watched.evaluate = [&, inner = watched.evaluate](const Vector& u) {
+    asked.push_back(u);
+    return inner(u);
+  };
+  const Vector start = Vector::Constant(3, 0.25);
+  nsga2_front(watched, {12, 5, 1, {start, 2 * start}});
+  EXPECT_EQ(asked.size(), 12U * 6);
+  EXPECT_EQ(asked[0], start);
+  EXPECT_EQ(asked[1], 2 * start);
+  for (const Vector& u : asked) EXPECT_TRUE(u.minCoeff() >= 0 && u.maxCoeff() <= 1);
+  const SeveralGoals broken{2, 2, [](const Vector&) -> Vector { throw std::domain_error("no"); }};
+  EXPECT_THROW(nsga2_front(broken, {8, 1, 1, {}}), std::domain_error);
 }
 
 }  // namespace

@@ -1,29 +1,17 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
-#include "ricochet/run.h"
 #include "solvers/library_solvers.h"
-#include "tests/support/problems.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet {
 namespace {
-
-Solver tao(const std::string& name) {
-  for (Solver& solver : tao_solvers()) {
-    if (solver.name == name) return solver;
-  }
-  throw std::out_of_range(name);
-}
 
 /// (x - centre)' A (x - centre) / 2 on [-1, 1]^n with A = 1 + tridiagonal(-1, 2, -1), whose
 /// minimiser within the box, `best`, is given: the centre is so chosen that the slope there is
@@ -47,43 +35,21 @@ TEST(Tao, FindsTheMinimumOfQuadraticsAtActiveBounds) {
   const Vector pushes{{-2, 0, 1, 0, 0, -0.5}};
   const Problem problem = bounded_quadratic(best, pushes);
   for (const Solver& solver : tao_solvers()) {
-    Evaluator evaluator(problem, {2000});
-    Random random;
-    const SolverTermination exit = solver.solve(evaluator, problem.start, random);
-    ASSERT_TRUE(exit.point) << solver.name << ": " << exit.reason;
-    EXPECT_LT((*exit.point - best).norm(), 1e-5) << solver.name << ": " << exit.reason;
-    EXPECT_FALSE(evaluator.over()) << solver.name;
+    const Solved end = solved(problem, solver, 2000);
+    ASSERT_TRUE(end.point) << solver.name << ": " << end.reason;
+    EXPECT_LT((*end.point - best).norm(), 1e-5) << solver.name << ": " << end.reason;
+    EXPECT_EQ(end.ended, TerminationReason::none) << solver.name;
   }
-}
-
-/// Rosenbrock's function (1960) as residuals: 10 (y - x^2), 1 - x; optimum 0 at (1, 1).
-Problem valley() {
-  Problem problem = box_problem("valley", 2, -5, 5, 0, [](const Vector& x) {
-    return 50 * std::pow(x[1] - x[0] * x[0], 2) + std::pow(1 - x[0], 2) / 2;
-  });
-  problem.start = Vector{{-1.2, 1}};
-  problem.residuals = [](const Vector& x) {
-    return Residuals{Vector{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}},
-                     Matrix{{-20 * x[0], 10}, {-1, 0}}};
-  };
-  return problem;
 }
 
 TEST(Tao, SolvesLeastSquaresWithAndWithoutDerivatives) {
+  const Problem valley = suite_problem("least-squares-07-rosenbrock-2x2");
   for (const char* const name : {"tao-pounders", "tao-brgn"}) {
-    const RunRecord record = run(valley(), tao(name), {400}, 0);
-    EXPECT_EQ(record.failure, "");
-    EXPECT_LT(record.trace.back().true_values.objective, 1e-9) << name;
+    EXPECT_LT(end_of(valley, solver_named(name), 400), 1e-9) << name;
   }
-}
-
-TEST(Tao, PoundersPaysForResidualsAlone) {
-  const Problem problem = valley();
-  Evaluator evaluator(problem, {100});
-  Random random;
-  tao("tao-pounders").solve(evaluator, problem.start, random);
-  EXPECT_GT(evaluator.ledger().charged, 10);
-  EXPECT_EQ(evaluator.ledger().charged, evaluator.ledger().derivatives);
+  const Ledger ledger = solved(valley, solver_named("tao-pounders"), 100).ledger;
+  EXPECT_GT(ledger.charged, 10);
+  EXPECT_EQ(ledger.charged, ledger.derivatives) << "it pays for residuals alone";
 }
 
 TEST(Tao, LeavesSignalsAndEnvironmentAsTheyWere) {
@@ -97,7 +63,7 @@ TEST(Tao, LeavesSignalsAndEnvironmentAsTheyWere) {
     return all;
   };
   const auto before = handlers();
-  run(sphere(2, 3), tao("tao-blmvm"), {50}, 0);
+  run(sphere(2, 3), solver_named("tao-blmvm"), {50}, 0);
   EXPECT_EQ(handlers(), before);
   EXPECT_EQ(std::getenv("OMPI_MCA_ess"), nullptr);
 }
@@ -109,10 +75,7 @@ TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
   std::vector<pid_t> children;
   for (int k = 0; k < 4; ++k) {
     const pid_t child = fork();
-    if (child == 0) {
-      const RunRecord record = run(sphere(3, 3), tao("tao-bqnls"), {100}, 1);
-      _exit(record.failure.empty() && record.trace.back().true_values.objective < 1e-12 ? 0 : 1);
-    }
+    if (child == 0) _exit(end_of(sphere(3, 3), solver_named("tao-bqnls"), 100, 1) < 1e-12 ? 0 : 1);
     children.push_back(child);
   }
   for (const pid_t child : children) {
@@ -125,12 +88,13 @@ TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
 }
 
 TEST(Tao, TakesTurnsWithIpoptInOneProcess) {
-  const Solver other = ipopt(Settings::own);
-  const RunRecord alone = run(sphere(3, 3), other, {200}, 1);
-  const RunRecord first = run(sphere(3, 3), tao("tao-blmvm"), {200}, 1);
+  const auto ends_of = [](const char* name) {
+    return run(sphere(3, 3), solver_named(name), {200}, 1).terminations;
+  };
+  const auto ipopt = ends_of("ipopt"), tao = ends_of("tao-blmvm");
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(run(sphere(3, 3), other, {200}, 1).terminations, alone.terminations);
-    EXPECT_EQ(run(sphere(3, 3), tao("tao-blmvm"), {200}, 1).terminations, first.terminations);
+    EXPECT_EQ(ends_of("ipopt"), ipopt);
+    EXPECT_EQ(ends_of("tao-blmvm"), tao);
   }
 }
 
@@ -139,10 +103,7 @@ TEST(Tao, KeepsNothingOfAThousandRuns) {
   for (const Solver& solver : tao_solvers()) {
     const auto use = [&](int times) {
       for (int k = 0; k < times; ++k) {
-        const Problem problem = k % 2 == 0 ? sphere(5, 3) : half_a_number();
-        Evaluator evaluator(problem, {k % 3 == 0 ? 4 : 60});
-        Random random;
-        solver.solve(evaluator, problem.start, random);
+        solved(k % 2 == 0 ? sphere(5, 3) : half_a_number(), solver, k % 3 == 0 ? 4 : 60);
       }
     };
     use(100);

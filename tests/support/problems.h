@@ -145,6 +145,24 @@ inline Problem arc() {
   return with_idle_knob(problem);
 }
 
+/// Stairs on [0, 4] that fall to -3 at 2 and rise again at 2.0105.
+inline Problem falling_stairs() {
+  return box_problem("stairs", 1, 0, 4, 1,
+                     [](const Vector& x) { return x[0] < 2.0105 ? -1.5 * std::floor(x[0]) : 1.0; });
+}
+
+/// As far up [0, 4] as it is feasible: below 1.00123, and from 3 to 3.14159265.
+inline Problem two_stretches() {
+  Problem problem = falling_stairs();
+  problem.name = "stretches";
+  problem.constraints = 1;
+  problem.evaluate = [](const Vector& x) {
+    const bool feasible = x[0] <= 1.00123 || (x[0] >= 3 && x[0] <= 3.14159265);
+    return Values{-x[0], Vector::Constant(1, feasible ? -1.0 : 2.0)};
+  };
+  return problem;
+}
+
 /// The same value everywhere.
 inline Problem plateau(Eigen::Index n) {
   Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });
@@ -159,12 +177,12 @@ inline Problem plateau(Eigen::Index n) {
 /// No number anywhere.
 inline Problem never_a_number(Eigen::Index n) {
   Problem problem =
-      box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return not_a_number; });
-  differentiate_by(
-      problem, [](const Vector& x) -> Vector { return Vector::Constant(x.size(), not_a_number); });
-  curve_by(problem, constant_hessian(n, not_a_number));
+      box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return quiet_nan; });
+  differentiate_by(problem,
+                   [](const Vector& x) -> Vector { return Vector::Constant(x.size(), quiet_nan); });
+  curve_by(problem, constant_hessian(n, quiet_nan));
   problem.residuals = [n](const Vector&) {
-    return Residuals{Vector::Constant(1, not_a_number), Matrix::Constant(1, n, not_a_number)};
+    return Residuals{Vector::Constant(1, quiet_nan), Matrix::Constant(1, n, quiet_nan)};
   };
   return with_idle_knob(problem);
 }
@@ -173,11 +191,11 @@ inline Problem never_a_number(Eigen::Index n) {
 /// included.
 inline Problem half_a_number() {
   Problem problem = box_problem("half-a-number", 2, -100, 100, 40, [](const Vector& x) {
-    return x.sum() > 60 ? not_a_number : (x.array() - 3).square().sum();
+    return x.sum() > 60 ? quiet_nan : (x.array() - 3).square().sum();
   });
   differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
   curve_by(problem, constant_hessian(2, 2));
-  problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? not_a_number : 3); };
+  problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? quiet_nan : 3); };
   return with_idle_knob(problem);
 }
 

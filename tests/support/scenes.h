@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/scene.h"
 #include "tests/support/numbers.h"
@@ -90,6 +91,13 @@ inline Scene case_scene(const std::string& id) {
   return scene_of(find_case(id), default_machine());
 }
 
+/// The second case in the planar model, which has no regimes: nothing couples its directions.
+inline Scene planar_second_case() {
+  const Scene scene = case_scene("C2");
+  return with(scene, set::restitution(lower_restitution(scene)), set::contact_friction(false),
+              set::planar());
+}
+
 /// The constants that an exploratory study fitted to the paper: a lively scene that stays the same
 /// when the default interpretation is fitted again.
 inline Scene exploratory_scene() {
@@ -97,6 +105,11 @@ inline Scene exploratory_scene() {
               set::pull(0.888), set::centrifugal_mass_radius(0.2043), set::phase(3.12),
               set::start(0.54 * 1.04e-3, -0.090), set::omega(3.0), set::revolutions(1.314),
               set::counting_limit(9.65e-3));
+}
+
+/// The machine of a case of the paper with these constants.
+inline Machine exploratory_machine(const std::string& id) {
+  return machine_of(find_case(id), exploratory_scene());
 }
 
 /// A ball that falls from `height` [m] on a floor at 0 without another wall above.

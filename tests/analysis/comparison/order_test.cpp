@@ -1,49 +1,46 @@
 #include "src/analysis/comparison/order.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "src/analysis/comparison/family.h"
 #include "tests/analysis/comparison/made_up_results.h"
-#include "tests/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet::studies::comparison {
 namespace {
 
-/// A campaign of seven solvers on two bowls, which they solve after so many evaluations.
-struct TwoBowls {
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+const std::string two_instances = part_of("\"*\"", "solvers = \"*\"\nbudgets = 100\ninstances = 2");
+
+/// The solvers "s0", "s1" and so on.
+std::vector<std::string> solvers(int number) {
+  std::vector<std::string> names;
+  for (int s = 0; s < number; ++s) names.push_back("s" + std::to_string(s));
+  return names;
+}
+
+int number_of(const PlannedCell& cell) {
+  return std::stoi(cell.cell.solver.substr(1));
+}
+
+/// Seven solvers on two bowls, which they solve after so many evaluations.
+struct TwoBowls : MadeUp {
   explicit TwoBowls(const std::function<int(int solver)>& evaluations)
-      : campaign(plan_from("[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = \"s*\"\n"
-                           "budgets = 100\ninstances = 2\n",
-                           "test"),
-                 catalogue()),
-        results(made_up_results(campaign, [&](const PlannedCell& cell) {
-          Outcome outcome;
-          const int after = evaluations(std::stoi(cell.cell.solver.substr(1)));
-          outcome.evaluations = 100;
-          outcome.verdict.solved = outcome.verdict.returned_solved = after < 100;
-          outcome.verdict.evaluations_to_solve = after;
-          outcome.verdict.optimality_gap = outcome.verdict.returned_optimality_gap =
-              after < 100 ? 0 : 1;
-          outcome.steps = {{after, 0, *outcome.verdict.optimality_gap}};
-          return std::vector{outcome, outcome};
-        })) {}
-
-  static Catalogue catalogue() {
-    Catalogue all = made_up_catalogue();
-    all.solvers.clear();
-    for (int s = 0; s < 7; ++s) all.solvers.push_back(chance("s" + std::to_string(s)));
-    return all;
-  }
-
-  Campaign campaign;
-  std::vector<CellResult> results;
+      : MadeUp(
+            two_instances,
+            [&](const PlannedCell& cell) {
+              const int after = evaluations(number_of(cell));
+              return twice(after < 100 ? run_of(after) : run_of({}));
+            },
+            bowls_and(2, solvers(7))) {}
 };
 
 FamilyAgreement agreement_with(const TwoBowls& first, const TwoBowls& second) {
@@ -73,156 +70,100 @@ TEST(AgreementOfCampaigns, HasNoLeaderWhereNothingIsSolved) {
   EXPECT_FALSE(row.agreement.has_value()) << "all are tied";
 }
 
-/// Two bowls; the runs of "bowl-1" end with these optimality gaps, those of "bowl-2" with 0.
-Table beaten_by(const std::vector<std::optional<double>>& gaps) {
-  Catalogue catalogue = made_up_catalogue();
-  catalogue.families = {{"bowl", {bowl("bowl-1", 1), bowl("bowl-2", 1)}}};
-  catalogue.solvers = {chance("guess")};
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 100\ninstances = 1\n",
-                "test"),
-      catalogue);
-  const auto results = made_up_results(campaign, [&](const PlannedCell& cell) {
-    std::vector<Outcome> outcomes;
-    for (const auto& gap : gaps) {
-      Outcome outcome;
-      outcome.verdict.optimality_gap = cell.cell.problem == "bowl-1" ? gap : 0;
-      outcomes.push_back(outcome);
-    }
-    return outcomes;
-  });
-  return beaten_table(campaign, results);
-}
-
 TEST(Beaten, BestValuesAreThoseBelowWhichARunEndsByMoreThanTheTolerance) {
   const double tolerance = bowl("bowl-1", 1).tolerance;
-  const Table rows = beaten_by({0.5, -1.5 * tolerance, std::nullopt, -3 * tolerance});
-  ASSERT_EQ(rows.rows.size(), 1U);
-  EXPECT_EQ(rows[0].text("problem"), "bowl-1");
-  EXPECT_EQ(rows[0].number("runs"), 2);
-  EXPECT_EQ(rows[0].number("gap"), -3 * tolerance);
-  EXPECT_EQ(rows[0].text("entry"), "guess, original");
-}
-
-TEST(Beaten, NothingIsWithinTheTolerance) {
-  EXPECT_TRUE(beaten_by({0, -0.9 * bowl("bowl-1", 1).tolerance, std::nullopt}).rows.empty());
-}
-
-const std::vector<MissingSolver> missing = {{"dlib-global-search", "dlib", {}},
-                                            {"tao-brgn", "TAO", {}}};
-
-std::vector<std::string> lacking_of(const std::string& solvers) {
-  std::vector<std::string> names;
-  const Plan plan =
-      plan_from("[[part]]\nproblems = \"*\"\nsolvers = [" + solvers + "]\nbudgets = 1\n", "test");
-  for (const MissingSolver& one : lacking(plan, missing)) names.push_back(one.solver);
-  return names;
+  // The runs of "bowl-1" end with these optimality gaps, those of "bowl-2" with 0.
+  const auto beaten_by = [](const std::vector<std::optional<double>>& gaps) {
+    const MadeUp made(
+        two_instances,
+        [&](const PlannedCell& cell) {
+          std::vector<Outcome> outcomes(gaps.size());
+          for (std::size_t k = 0; k < gaps.size(); ++k) {
+            outcomes[k].verdict.optimality_gap = cell.cell.problem == "bowl-1" ? gaps[k] : 0;
+          }
+          return outcomes;
+        },
+        bowls_and(2, {"guess"}));
+    return rows_of(beaten_table(made.campaign, made.results), "problem,runs,gap,entry");
+  };
+  EXPECT_THAT(beaten_by({0.5, -1.5 * tolerance, std::nullopt, -3 * tolerance}),
+              ElementsAre(fmt::format("bowl-1 | 2 | {} | guess, original", -3 * tolerance)));
+  EXPECT_THAT(beaten_by({0, -0.9 * tolerance, std::nullopt}), ElementsAre());
 }
 
 TEST(Lacking, AreTheMissingSolversThatThePlanSelects) {
-  EXPECT_EQ(lacking_of("\"*\""), (std::vector<std::string>{"dlib-global-search", "tao-brgn"}));
-  EXPECT_EQ(lacking_of("\"mads\", \"tao-*\""), std::vector<std::string>{"tao-brgn"});
-  EXPECT_TRUE(lacking_of("\"mads\"").empty());
+  const auto lacking_of = [](const std::string& selected) {
+    std::vector<std::string> names;
+    const Plan plan = plan_from(part_of("\"*\"", "solvers = [" + selected + "]"), "test");
+    for (const MissingSolver& one :
+         lacking(plan, {{"dlib-global-search", "dlib", {}}, {"tao-brgn", "TAO", {}}})) {
+      names.push_back(one.solver);
+    }
+    return names;
+  };
+  EXPECT_THAT(lacking_of("\"*\""), ElementsAre("dlib-global-search", "tao-brgn"));
+  EXPECT_THAT(lacking_of("\"mads\", \"tao-*\""), ElementsAre("tao-brgn"));
+  EXPECT_THAT(lacking_of("\"mads\""), ElementsAre());
 }
 
 TEST(Summary, CountsOrdersInWhichTheFirstStays) {
   const std::optional<double> none;
-  Table orders{"orders", {{"family"}, {"changed"}, {"correlation"}, {"same"}}};
+  Table orders{"orders", columns_named("family,changed,correlation,same")};
   orders.add("a", "seeds", 0.5, true);
   orders.add("b", "seeds", 0.1, false);
   orders.add("c", "seeds", 0.9, true);
   orders.add("c", "price", none, true);
-  const Table summary = summary_of(orders, "summary", {"changed"});
-  ASSERT_EQ(summary.rows.size(), 1U) << "the price is compared with nothing";
-  EXPECT_EQ(summary[0].number("compared"), 3);
-  EXPECT_EQ(summary[0].number("stays"), 2);
-  EXPECT_EQ(summary[0].number("median"), 0.5);
-  EXPECT_EQ(summary[0].number("least"), 0.1);
-}
-
-/// Bowls and as many solvers as asked for; the k-th solves every problem after k evaluations.
-Table held_out_of(int problems, int solvers) {
-  Catalogue catalogue = made_up_catalogue();
-  catalogue.solvers.clear();
-  for (int k = 1; k <= solvers; ++k) catalogue.solvers.push_back(chance("s" + std::to_string(k)));
-  catalogue.families = {{"bowl", {}}};
-  for (int k = 1; k <= problems; ++k) {
-    catalogue.families[0].problems.push_back(bowl("bowl-" + std::to_string(k), 1));
-  }
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 100\ninstances = 1\n",
-                "test"),
-      catalogue);
-  const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
-    Outcome outcome;
-    outcome.evaluations = 100;
-    outcome.verdict.solved = outcome.verdict.returned_solved = true;
-    outcome.verdict.evaluations_to_solve = std::stoi(cell.cell.solver.substr(1));
-    outcome.verdict.optimality_gap = outcome.verdict.returned_optimality_gap = 0;
-    outcome.steps = {{*outcome.verdict.evaluations_to_solve, 0.1, 0}};
-    return std::vector{outcome};
-  });
-  const auto reported = reported_parts(campaign);
-  return held_out_table(rated_parts(campaign, results, reported));
+  EXPECT_THAT(
+      rows_of(summary_of(orders, "summary", {"changed"}), "changed,compared,stays,median,least"),
+      ElementsAre("seeds | 3 | 2 | 0.5 | 0.1"))
+      << "the price is compared with nothing";
 }
 
 TEST(HeldOut, OrderIsThatOfTheOtherHalf) {
-  const Table rows = held_out_of(6, 5);
-  ASSERT_EQ(rows.rows.size(), 1U);
-  EXPECT_EQ(rows[0].text("family"), "bowl");
-  EXPECT_EQ(rows[0].number("problems"), 6);
-  EXPECT_EQ(rows[0].number("entries"), 5);
-  EXPECT_EQ(rows[0].number("correlation"), 1);
-  EXPECT_EQ(rows[0].number("first_stays"), 1);
+  // The k-th solver solves every bowl after k evaluations.
+  const auto held_out_of = [](int problems, int number) {
+    const MadeUp made(
+        part_of("\"*\"", "solvers = \"*\"\nbudgets = 100\ninstances = 1"),
+        [](const PlannedCell& cell) { return std::vector{run_of(1 + number_of(cell))}; },
+        bowls_and(problems, solvers(number)));
+    return rows_of(held_out_table(made.rated()), "family,problems,entries,correlation,first_stays");
+  };
+  EXPECT_THAT(held_out_of(6, 5), ElementsAre("bowl | 6 | 5 | 1 | 1"));
+  EXPECT_THAT(held_out_of(3, 5), ElementsAre(testing::StartsWith("bowl | 3 | 5 | - | ")))
+      << "too few problems";
+  EXPECT_THAT(held_out_of(6, 4), ElementsAre(testing::StartsWith("bowl | 6 | 4 | - | ")))
+      << "too few entries";
 }
 
-TEST(HeldOut, OrderOfFewProblemsOrEntriesIsNotMeasured) {
-  for (const Table& rows : {held_out_of(3, 5), held_out_of(6, 4)}) {
-    EXPECT_TRUE(is_missing(rows[0]["correlation"]));
-  }
-}
-
-constexpr int sampled_bowls = 20;
-constexpr int made_up_solvers = 6;
-
-/// A family of bowls of which the k-th is solved by the solvers from number k / 4 on, the best of
+/// Of 20 bowls the k-th is solved by the solvers from number (k - 1) / 4 on, of six, the last of
 /// which are the fastest.
 std::vector<SampledFamily> samples_of(double share) {
-  Catalogue catalogue = made_up_catalogue();
-  catalogue.families = {{"bowl", {}}};
-  for (int k = 0; k < sampled_bowls; ++k) {
-    catalogue.families[0].problems.push_back(bowl("bowl-" + std::to_string(k), 1));
-  }
-  catalogue.solvers.clear();
-  for (int s = 0; s < made_up_solvers; ++s)
-    catalogue.solvers.push_back(chance("s" + std::to_string(s)));
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 100\ninstances = 2\n",
-                "test"),
-      catalogue);
-  const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
-    const int k = std::stoi(cell.cell.problem.substr(5));
-    const int s = std::stoi(cell.cell.solver.substr(1));
-    Outcome outcome;
-    outcome.evaluations = 100 - s;
-    outcome.verdict.returned_solved = s >= k / 4;
-    outcome.verdict.returned_optimality_gap = outcome.verdict.returned_solved ? 0 : 1;
-    outcome.steps = {{outcome.evaluations, 0, *outcome.verdict.returned_optimality_gap}};
-    return std::vector{outcome, outcome};
-  });
-  return sampled_families(campaign, results, share, 3);
+  const MadeUp made(
+      two_instances,
+      [](const PlannedCell& cell) {
+        const int k = std::stoi(cell.cell.problem.substr(5)) - 1;
+        const int s = number_of(cell);
+        Outcome outcome;
+        outcome.evaluations = 100 - s;
+        outcome.verdict.returned_solved = s >= k / 4;
+        outcome.verdict.returned_optimality_gap = outcome.verdict.returned_solved ? 0 : 1;
+        outcome.steps = {{outcome.evaluations, 0, *outcome.verdict.returned_optimality_gap}};
+        return twice(outcome);
+      },
+      bowls_and(20, solvers(6)));
+  return sampled_families(made.campaign, made.results, share, 3);
 }
 
 TEST(Sample, CoversEveryDifficulty) {
   const auto rows = samples_of(0.25);
   ASSERT_EQ(rows.size(), 1U);
-  const auto& drawn = rows[0].problems;
-  ASSERT_EQ(drawn.size(), 5U);
-  EXPECT_EQ(rows[0].of, sampled_bowls);
+  EXPECT_EQ(rows[0].of, 20);
   // Difficulties are 0, 1/6, ..., 4/6, each of four problems: a stratum each.
-  for (int k = 0; k < 5; ++k) {
-    EXPECT_NEAR(drawn[static_cast<std::size_t>(k)].second, k / 6.0, 1e-12);
-  }
+  std::vector<testing::Matcher<double>> difficulties;
+  for (int k = 0; k < 5; ++k) difficulties.push_back(DoubleNear(k / 6.0, 1e-12));
+  std::vector<double> drawn;
+  for (const auto& problem : rows[0].problems) drawn.push_back(problem.second);
+  EXPECT_THAT(drawn, testing::ElementsAreArray(difficulties));
   EXPECT_EQ(rows[0].leader, "s5, original");
   EXPECT_EQ(rows[0].sample_leader, "s5, original");
   EXPECT_NEAR(*rows[0].returned, 1, 1e-12);
@@ -231,18 +172,13 @@ TEST(Sample, CoversEveryDifficulty) {
 }
 
 TEST(Sample, HasAtLeastSoManyProblems) {
-  EXPECT_EQ(samples_of(0.01)[0].problems.size(), 3U);
-  EXPECT_EQ(samples_of(1)[0].problems.size(), static_cast<std::size_t>(sampled_bowls));
-}
-
-/// The leaders of a comparison: family, solver, P(best), success rate and whether the budget is the
-/// largest.
-Table made_up_leaders() {
-  return {"leaders", {{"family"}, {"solver"}, {"best"}, {"returned"}, {"takes"}, {"largest"}}};
+  EXPECT_THAT(samples_of(0.01)[0].problems, SizeIs(3));
+  EXPECT_THAT(samples_of(1)[0].problems, SizeIs(20));
 }
 
 TEST(Opening, SaysWhichSolverHowSureAndOnHowManyProblems) {
-  Table leaders = made_up_leaders();
+  Table leaders{"leaders", columns_named("family,solver,best,returned,takes,largest")};
+  EXPECT_EQ(opening_of(leaders), "");
   const std::optional<double> none;
   leaders.add("top-speed", "bisection", 1, 1, 12, true);
   leaders.add("top-speed", "walk", 1, 1, 12, false);
@@ -259,7 +195,6 @@ TEST(Opening, SaysWhichSolverHowSureAndOnHowManyProblems) {
       "P(best) of 0.5 to 0.9: ipopt on hs (success rate 93 %, 12 problems). On 4 of 7 kinds of "
       "problems no entry is named so: too few solve them, several are as good, or random "
       "search is enough.");
-  EXPECT_EQ(opening_of(made_up_leaders()), "");
 }
 
 }  // namespace

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
-#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "src/analysis/rating.h"
 #include "src/experiment/store.h"
 #include "tests/support/files.h"
 
@@ -42,24 +43,22 @@ inline CampaignDescription hard_description() {
 inline RunRecord any_run(const StoredProblem& problem, std::int64_t budget,
                          std::mt19937_64& random) {
   const auto uniform = [&] { return std::uniform_real_distribution<>(0, 1)(random); };
+  const auto below = [&](unsigned end) { return static_cast<std::int64_t>(random() % end); };
   RunRecord record;
   record.problem = problem.name;
   record.seed = random();
   record.budget.evaluations = budget * problem.variables;
-  const auto kind = random() % 6;
-  const auto allowed = record.budget.evaluations;
-  record.ledger.charged = kind == 0   ? 0
-                          : kind == 1 ? 1
-                                      : allowed - static_cast<std::int64_t>(random() % 3);
-  record.ledger.charged = std::max<std::int64_t>(record.ledger.charged, kind == 0 ? 0 : 1);
+  const auto kind = below(6);
+  record.ledger.charged =
+      kind < 2 ? kind : std::max<std::int64_t>(1, record.budget.evaluations - below(3));
   record.ledger.values = record.ledger.charged;
-  record.ledger.derivatives = static_cast<std::int64_t>(random() % 4);
+  record.ledger.derivatives = below(4);
   record.ledger.seconds = uniform();
   record.terminations = {{"tolerance reached"}, {"tolerance reached"}, {"said, \"enough\""}};
   if (kind == 0 || kind == 2) record.failure = "thrown, with \"quotes\"\nin two lines";
   double objective = problem.best_known + 10;
   double violation = 2;
-  std::int64_t evaluations = 1 + static_cast<std::int64_t>(random() % 3);
+  std::int64_t evaluations = 1 + below(3);
   double seconds = 0;
   while (evaluations <= record.ledger.charged && random() % 8 != 0) {
     Vector x(problem.variables);
@@ -71,7 +70,7 @@ inline RunRecord any_run(const StoredProblem& problem, std::int64_t budget,
     seconds += uniform() / 100;
     record.trace.push_back({evaluations, seconds, {objective, violation}, x});
     if (objective == problem.best_known) break;
-    evaluations += static_cast<std::int64_t>(random() % 5) + (kind == 4 ? 0 : 1);
+    evaluations += below(5) + (kind == 4 ? 0 : 1);
   }
   if (!record.trace.empty() && random() % 2 == 0) {
     record.returned = ReturnedPoint{record.trace.back().x, record.trace.back().true_values};
@@ -85,11 +84,10 @@ class ExportedStore : public TemporaryFolder {
  protected:
   const CampaignDescription description = hard_description();
   Store store = Store::create(made(folder_) / "runs.sqlite", description);
-  std::map<RunKey, RunRecord> records;
-  const std::filesystem::path out = folder_ / "out";
+  std::map<RunKey, RunRecord> records;  ///< a store hands them over in the order of their keys
+  const std::filesystem::path out = made(folder_ / "out");
 
   void SetUp() override {
-    std::filesystem::create_directories(out);
     std::mt19937_64 random(7);
     for (const StoredProblem& problem : description.problems) {
       for (const StoredSolver& solver : description.solvers) {
@@ -113,6 +111,21 @@ class ExportedStore : public TemporaryFolder {
   void add(const RunKey& key, const RunRecord& record) {
     store.add(key, record);
     records[key] = record;
+  }
+
+  /// Four runs of "profile/5", two of which solve it, after 3 and 5 evaluations; the others are
+  /// charged 10 each, and one of them fails. So 28 evaluations for two successes; one of these is
+  /// returned, after 3 + 30.
+  void add_worked_cell(const std::string& formulation) {
+    for (int k = 0; k < 4; ++k) {
+      RunRecord record;
+      record.ledger.charged = 10;
+      if (k < 2) record.trace = {{3 + 2 * k, 0.1, {0.001, 0}, Vector::Zero(5)}};
+      if (k == 0) record.returned = ReturnedPoint{Vector::Zero(5), {0.001, 0}};
+      if (k == 2) record.trace = {{4, 0.1, {2, 0}, Vector::Zero(5)}};
+      if (k == 3) record.failure = "thrown";
+      add({{"profile/5", formulation, "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
+    }
   }
 
   const StoredProblem& problem(const std::string& name) const {

@@ -1,22 +1,29 @@
+#include "problems/carrier_track/counting/quiet_speed.h"
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <tuple>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/machine.h"
-#include "tests/carrier_track/suite/planar_second_case.h"
+#include "tests/carrier_track/counting/held_scene.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-Scene case_scene(const char* id) {
-  return scene_of(find_case(id), default_machine());
+/// The answer up to 18 rad/s for a limit.
+QuietSpeed quiet_speed_for(const Scene& scene, Measure measure, double at_most) {
+  return quiet_speed(scene, {Limit{measure, at_most}, 1e-3, 18});
 }
 
 /// The first scanned speed whose count is above the limit, by looking at every one.
@@ -43,12 +50,9 @@ TEST(QuietSpeed, IsMissingWhereEverySpeedIsLoud) {
                                                          {0.1, 2e-3, 0.0},
                                                          {0.7, 0.5e-3, 1.0},
                                                          {0.3, 4e-3, 1.0}}) {
-    Scene scene = case_scene("C1");
-    scene.restitution_lower = scene.restitution_upper = restitution;
+    Scene scene = with(case_scene("C1"), set::restitution(restitution), set::friction(0),
+                       set::pull(0), set::counting_limit(1e-6));
     scene.wall_upper = scene.wall_lower + clearance;
-    scene.friction = 0;
-    scene.pull = 0;
-    scene.counting_limit = 1e-6;
     const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions_per_turn, per_turn}});
     EXPECT_TRUE(answer.loud_everywhere) << restitution;
     EXPECT_FALSE(answer.fastest_quiet) << *answer.fastest_quiet;
@@ -61,16 +65,13 @@ TEST(QuietSpeed, IsMissingWhereEverySpeedIsLoud) {
   EXPECT_FALSE(window.fastest_quiet);
   EXPECT_FALSE(window.split.speed);
   // Loud from the slowest speed on is not loud everywhere.
-  const QuietSpeed quiet = quiet_speed(case_scene("C1"), {});
-  EXPECT_FALSE(quiet.loud_everywhere);
+  EXPECT_FALSE(quiet_speed(case_scene("C1"), {}).loud_everywhere);
 }
 
 TEST(QuietSpeed, SaysUpToWhereItIsKnownAtTheTimeLimit) {
-  Scene scene = case_scene("C2");
-  scene.window = Revolutions{2000};
-  const QuietSpeedOptions options{Limit{Measure::collisions, 1e9}, 1e-3, 18};
   const TimeLimit limit(0.3);
-  const QuietSpeed answer = quiet_speed(scene, options);
+  const QuietSpeed answer =
+      quiet_speed_for(with(case_scene("C2"), set::revolutions(2000)), Measure::collisions, 1e9);
   ASSERT_TRUE(answer.reached);
   EXPECT_GT(*answer.reached, 0);
   EXPECT_LT(*answer.reached, 18);
@@ -87,11 +88,10 @@ TEST(QuietSpeed, IsTheEndOfTwoCollisionsATurnInTheLongRun) {
     EXPECT_EQ(answer.limit->measure, Measure::collisions_per_turn);
     // 0 to 100 turns after the start, each for itself.
     const auto most_in_a_turn = [&](double omega) {
-      Scene there = at_speed(scene, omega);
       int most = 0;
       int before = 0;
       for (int turns = 60; turns <= 160; ++turns) {
-        there.window = Revolutions{static_cast<double>(turns) + 0.25};
+        const Scene there = with(at_speed(scene, omega), set::revolutions(turns + 0.25));
         const int count = static_cast<int>(objective(there, 0.0));
         if (turns > 60) most = std::max(most, count - before);
         before = count;
@@ -103,18 +103,23 @@ TEST(QuietSpeed, IsTheEndOfTwoCollisionsATurnInTheLongRun) {
   }
 }
 
-TEST(QuietSpeed, TakesAnotherLimitOfTheLongRun) {
+TEST(QuietSpeed, KeepsTheLimitThatIsGiven) {
   const Scene scene = case_scene("C1");
-  const QuietSpeed silent = quiet_speed(scene, {Limit{Measure::collisions_per_turn, 0}, 1e-3, 18});
-  EXPECT_NEAR(*silent.fastest_quiet, 1.447, 1e-3);
-  const QuietSpeed four = quiet_speed(scene, {Limit{Measure::collisions_per_turn, 4}, 1e-3, 18});
+  EXPECT_NEAR(*quiet_speed_for(scene, Measure::collisions_per_turn, 0).fastest_quiet, 1.447, 1e-3);
+  const QuietSpeed four = quiet_speed_for(scene, Measure::collisions_per_turn, 4);
   EXPECT_EQ(*four.fastest_quiet, 18);
   EXPECT_FALSE(four.split.first_loud);
+  EXPECT_NEAR(*quiet_speed_for(scene, Measure::collisions, 6).fastest_quiet,
+              first_above(scene, 6) - 1e-3, 1e-9);
+  const QuietSpeed any = quiet_speed_for(scene, Measure::collisions, 1000);
+  EXPECT_FALSE(any.split.first_loud);
+  EXPECT_NEAR(*any.fastest_quiet, 18, 1e-9);
+  EXPECT_FALSE(quiet_speed_for(scene, Measure::collisions, 0).fastest_quiet);
 }
 
 TEST(QuietSpeed, KnowsBothStepsOfTheFirstCase) {
   const Scene scene = case_scene("C1");
-  const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 3}, 1e-3, 18});
+  const QuietSpeed answer = quiet_speed_for(scene, Measure::collisions, 3);
   const std::vector<Step>& steps = answer.staircase.steps;
   ASSERT_EQ(steps.size(), 2U);
   for (const Step& step : steps) {
@@ -127,22 +132,11 @@ TEST(QuietSpeed, KnowsBothStepsOfTheFirstCase) {
   EXPECT_GT(answer.around[2].count, answer.limit->at_most);
 }
 
-TEST(QuietSpeed, KeepsTheLimitThatIsGiven) {
-  const Scene scene = case_scene("C1");
-  const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 6}, 1e-3, 18});
-  EXPECT_NEAR(*answer.fastest_quiet, first_above(scene, 6) - 1e-3, 1e-9);
-  const QuietSpeed any = quiet_speed(scene, {Limit{Measure::collisions, 1000}, 1e-3, 18});
-  EXPECT_FALSE(any.split.first_loud);
-  EXPECT_NEAR(*any.fastest_quiet, 18, 1e-9);
-  const QuietSpeed nothing = quiet_speed(scene, {Limit{Measure::collisions, 0}, 1e-3, 18});
-  EXPECT_FALSE(nothing.fastest_quiet);
-}
-
 TEST(QuietSpeed, FindsALoudWindowThatTheFineScanStepsOver) {
   RandomScenes random(79);
   for (int i = 0; i < 372; ++i) random.next();
   const Scene scene = random.next();
-  const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 3}, 1e-3, 18});
+  const QuietSpeed answer = quiet_speed_for(scene, Measure::collisions, 3);
   EXPECT_GT(first_above(scene, 3), 4.446);
   ASSERT_TRUE(answer.stepped_over);
   EXPECT_EQ(count_at(scene, answer.stepped_over->from), 4);
@@ -161,7 +155,7 @@ TEST(QuietSpeed, SaysThatThereIsNoThresholdWhereTheCountRisesThroughout) {
 }
 
 TEST(QuietSpeed, RefusesWhatIsInvalid) {
-  Scene scene = case_scene("C1");
+  const Scene scene = case_scene("C1");
   const QuietSpeedOptions refused[] = {{.limit = {}, .fastest = 0.01},
                                        {.limit = {}, .fastest = 1001},
                                        {.limit = {}, .step = 0},
@@ -169,11 +163,164 @@ TEST(QuietSpeed, RefusesWhatIsInvalid) {
   for (const QuietSpeedOptions& options : refused) {
     EXPECT_THROW(quiet_speed(scene, options), InputError);
   }
-  scene.profile = {{0.0, 1.0}, {1.0, 2.0}};
-  EXPECT_THROW(quiet_speed(scene), InputError) << "a profile";
-  scene.profile.clear();
-  scene.restitution_lower = 2;
-  EXPECT_THROW(quiet_speed(scene), InputError);
+  EXPECT_THROW(quiet_speed(with(scene, set::restitution_lower(2))), InputError);
+  const std::vector<SpeedKnot<double>> profile = {{0.0, 1.0}, {1.0, 2.0}};
+  EXPECT_THROW(quiet_speed(with(scene, set::profile(profile))), InputError);
+}
+
+const Limit no_collision{Measure::collisions, 0};
+
+std::map<std::string, double> percents(const Scene& scene, const Limit& limit, double omega) {
+  std::map<std::string, double> by_key;
+  for (const Sensitivity& s : sensitivities(scene, limit, omega)) by_key[s.key] = s.percent;
+  return by_key;
+}
+
+TEST(Sensitivity, KnowsTheConstantsThatAreNotZero) {
+  EXPECT_THAT(
+      constants_of(held()),
+      testing::UnorderedElementsAre("mass", "friction", "normal_force", "centrifugal_mass_radius",
+                                    "disturbance_frequency", "clearance"));
+  const Scene scene =
+      with(held(), set::restitution_lower(0.5), set::across(Across<double>{.pull = 2}));
+  EXPECT_THAT(constants_of(scene),
+              testing::IsSupersetOf(
+                  {"restitution", "across.pull", "across.restitution", "across.clearance"}));
+}
+
+TEST(Sensitivity, ScalesOneConstant) {
+  const Scene scene =
+      with(held(), set::walls(3, 5), set::start_position(3.5), set::restitution_lower(0.8));
+  const Scene wider = scaled(scene, "clearance", 1.5);
+  EXPECT_DOUBLE_EQ(wider.wall_lower, 3);
+  EXPECT_DOUBLE_EQ(wider.wall_upper, 6);
+  EXPECT_DOUBLE_EQ(wider.start_position, 3.75);
+  EXPECT_EQ(wider.mass, scene.mass);
+  EXPECT_DOUBLE_EQ(scaled(scene, "mass", 2).mass, 2);
+  EXPECT_DOUBLE_EQ(scaled(scene, "restitution", 1.1).restitution_lower, 0.88);
+  EXPECT_DOUBLE_EQ(scaled(scene, "restitution", 2).restitution_lower, 1);
+}
+
+TEST(Sensitivity, FindsTheDivideToAFiftythousandth) {
+  const auto divide = divide_near(held(), no_collision, 9);
+  ASSERT_TRUE(divide);
+  EXPECT_NEAR(*divide, std::sqrt(100.01), 10 * 2e-5);  // where it just reaches the wall in 10 s
+  EXPECT_FALSE(divide_near(held(), no_collision, 2));
+  EXPECT_FALSE(divide_near(held(), no_collision, 30));
+}
+
+TEST(Sensitivity, IsThatOfTheClosedForm) {
+  const auto by_key = percents(held(), no_collision, 10);
+  for (const auto& [key, percent] : {std::pair("friction", 0.5),
+                                     {"normal_force", 0.5},
+                                     {"centrifugal_mass_radius", -0.5},
+                                     {"mass", 0.0},
+                                     {"clearance", 0.0}}) {
+    EXPECT_NEAR(by_key.at(key), percent, 0.005) << key;
+  }
+}
+
+TEST(Sensitivity, AddsUpToNothingOverAllThatHasAMassInItsUnit) {
+  // Mass and forces of twice the size move the same way.
+  const auto all = sensitivities(case_scene("C1"), {Measure::collisions, 6}, 8.27);
+  double sum = 0;
+  double largest = 0;
+  for (const Sensitivity& s : all) {
+    if (s.key == "mass" || s.key == "normal_force" || s.key == "pull" || s.key == "disturbance" ||
+        s.key == "centrifugal_mass_radius" || s.key == "slider_mass_radius") {
+      sum += s.percent;
+      largest = std::max(largest, std::abs(s.percent));
+    }
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_NEAR(sum, 0, 0.02);
+  EXPECT_TRUE(std::ranges::is_sorted(all, std::greater(),
+                                     [](const auto& s) { return std::abs(s.percent); }));
+}
+
+TEST(Sensitivity, HasTheCountingLimitWhereImpactsCount) {
+  // The long run's border of C1 is where an impact reaches the limit.
+  const Scene scene = case_scene("C1");
+  const Limit limit{Measure::collisions_per_turn, 2};
+  const auto border = [&](double factor) {
+    return divide_near(with(scene, set::counting_limit(scene.counting_limit * factor)), limit, 8.08)
+        .value();
+  };
+  const double exponent = std::log(border(1.02) / border(0.98)) / std::log(1.02 / 0.98);
+  EXPECT_GT(exponent, 0.8);
+  EXPECT_NEAR(percents(scene, limit, 8.08).at("counting_limit"), exponent, 0.01);
+  EXPECT_THAT(constants_of(scene), testing::Not(testing::Contains("counting_limit")))
+      << "drawn machines and tolerances are those of manufacture";
+}
+
+TEST(Sensitivity, RefusesWhatIsInvalid) {
+  const Scene broken = with(held(), set::mass(-1));
+  EXPECT_THROW(sensitivities(broken, no_collision, 1), InputError);
+  EXPECT_THROW(sensitivities(held(), no_collision, 0), InputError);
+  EXPECT_THROW(tolerance_range(broken, no_collision, 1, 0.1, 9, 1), InputError);
+  for (const auto& [omega, tolerance, machines] : {std::tuple(0.0, 0.1, 9),
+                                                   {-1.0, 0.1, 9},
+                                                   {quiet_nan, 0.1, 9},
+                                                   {1.0, -0.1, 9},
+                                                   {1.0, 0.6, 9},
+                                                   {1.0, quiet_nan, 9},
+                                                   {1.0, 0.1, 0}}) {
+    EXPECT_THROW(tolerance_range(held(), no_collision, omega, tolerance, machines, 1), InputError)
+        << omega << " " << tolerance << " " << machines;
+  }
+}
+
+TEST(Sensitivity, DrawsMachinesWithinTheTolerance) {
+  const auto range = tolerance_range(held(), no_collision, 10, 0.1, 300, 1);
+  ASSERT_TRUE(range);
+  EXPECT_EQ(range->machines, 300);
+  EXPECT_EQ(range->without, 0);
+  const double lowest = 10 * std::sqrt(0.9 * 0.9 / 1.1);
+  const double highest = 10 * std::sqrt(1.1 * 1.1 / 0.9);
+  EXPECT_GE(range->lowest, lowest * (1 - 1e-4));
+  EXPECT_LE(range->highest, highest * (1 + 1e-4));
+  EXPECT_LT(range->lowest, 10 - 0.6 * (10 - lowest));  // and they reach far into the corners
+  EXPECT_GT(range->highest, 10 + 0.6 * (highest - 10));
+  const auto again = tolerance_range(held(), no_collision, 10, 0.1, 300, 1);
+  EXPECT_EQ(again->lowest, range->lowest);
+  EXPECT_EQ(again->highest, range->highest);
+  EXPECT_FALSE(tolerance_range(held(), no_collision, 2, 0.1, 3, 1));
+}
+
+/// Silent up to sqrt(friction normal_force / (mass path_radius)), where the first impact counts.
+SceneFile silent_below(const std::string& friction, const std::string& mass) {
+  return parse_scene_file("[scene]\nmass = " + mass + "\nfriction = " + friction +
+                              "\nnormal_force = 10\npath_radius = 0.1\nwall_lower = 0\n"
+                              "wall_upper = 1e-3\nrestitution = 0\nstart_position = 0\n"
+                              "[window]\nrevolutions = 4\n[count]\ncounting_limit = 1e-9\n",
+                          "own");
+}
+
+TEST(Uncertainty, MovesTheAnswerAsTheClosedFormDoes) {
+  const SceneFile file =
+      silent_below("{value = 0.2, plus_minus = 0.02}", "{value = \"1 kg\", plus_minus = \"50 g\"}");
+  const double omega = std::sqrt(0.2 * 10 / 0.1);
+  const UncertainDivide divide = uncertain_divide(file, no_collision, omega, 200, 1).value();
+  ASSERT_EQ(divide.effects.size(), 2U);
+  const auto& [by_friction, by_mass] = std::tie(divide.effects[0], divide.effects[1]);
+  EXPECT_EQ(by_friction.key, "scene.friction");
+  EXPECT_NEAR(by_friction.change, (std::sqrt(22.0) - std::sqrt(18.0)) / 2, 1e-3);
+  EXPECT_EQ(by_mass.key, "scene.mass");  // and with it the centrifugal force
+  EXPECT_NEAR(by_mass.change, omega * (1 / std::sqrt(1.05) - 1 / std::sqrt(0.95)) / 2, 1e-3);
+  EXPECT_NEAR(divide.first_order, std::abs(by_friction.change) + std::abs(by_mass.change), 1e-12);
+  EXPECT_EQ(divide.range.machines, 200);
+  EXPECT_EQ(divide.range.without, 0);
+  const double lowest = std::sqrt(18 / 1.05), highest = std::sqrt(22 / 0.95);
+  EXPECT_GT(divide.range.lowest, lowest);
+  EXPECT_LT(divide.range.highest, highest);
+  EXPECT_NEAR(divide.range.lowest, lowest, 0.2 * (omega - lowest));
+  EXPECT_NEAR(divide.range.highest, highest, 0.2 * (highest - omega));
+}
+
+TEST(Uncertainty, IsNoneWithoutUncertainNumbersOrADivide) {
+  EXPECT_FALSE(uncertain_divide(silent_below("0.2", "1"), no_collision, 4.47, 9, 1).has_value());
+  const SceneFile file = silent_below("{value = 0.2, plus_minus = 0.02}", "1");
+  EXPECT_FALSE(uncertain_divide(file, no_collision, 40, 9, 1).has_value());
 }
 
 }  // namespace

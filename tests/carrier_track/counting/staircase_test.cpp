@@ -1,17 +1,28 @@
 #include "problems/carrier_track/counting/staircase.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "ricochet/random.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
+
+using testing::_;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::FieldsAre;
+using testing::IsEmpty;
 
 /// The staircase up to `fastest` of a count that is known at every speed.
 Staircase staircase_to(double fastest, const CountAt& count) {
@@ -49,13 +60,15 @@ TEST(Staircase, FindsOneStepWhereItIs) {
 }
 
 TEST(Staircase, HasNoStepWhereTheCountIsOfOneKind) {
-  EXPECT_TRUE(staircase_to(18, [](double) { return 7; }).steps.empty());
-  EXPECT_TRUE(staircase_to(18, [](double) { return 0; }).steps.empty());
+  const auto steps_of = [](int below, int above) {
+    return staircase_to(18, [=](double w) { return w < 3 ? below : above; }).steps;
+  };
+  EXPECT_THAT(steps_of(7, 7), IsEmpty());
+  EXPECT_THAT(steps_of(0, 0), IsEmpty());
   // One collision more or less is the same kind, and so is less than half as many again.
-  EXPECT_TRUE(staircase_to(18, [](double w) { return w < 3 ? 1 : 2; }).steps.empty());
-  EXPECT_TRUE(staircase_to(18, [](double w) { return w < 3 ? 11 : 14; }).steps.empty());
-  EXPECT_FALSE(staircase_to(18, [](double w) { return w < 3 ? 0 : 2; }).main_step() ==
-               std::nullopt);
+  EXPECT_THAT(steps_of(1, 2), IsEmpty());
+  EXPECT_THAT(steps_of(11, 14), IsEmpty());
+  EXPECT_EQ(steps_of(0, 2).size(), 1U);
 }
 
 TEST(Staircase, HasNoThresholdWhereTheCountRisesThroughout) {
@@ -124,7 +137,7 @@ std::vector<Scene> many_machines() {
   Random random(7);
   std::vector<Scene> machines;
   for (const Case& a_case : all_cases()) {
-    machines.push_back(scene_of(a_case, default_machine()));
+    machines.push_back(case_scene(a_case.id));
   }
   for (std::size_t drawn = 0; machines.size() < 200; ++drawn) {
     Scene machine = machines[drawn % all_cases().size()];
@@ -161,6 +174,82 @@ TEST(Staircase, DoesNotHangOnWhereTheScanEnds) {
   EXPECT_EQ(same + none + beyond, 200);
   EXPECT_GT(same, 100);
   EXPECT_LT(beyond, 20);
+}
+
+/// A staircase that is known at every speed, scanned to 18 rad/s.
+SpeedScan known_staircase(const std::function<double(double omega)>& count) {
+  SpeedScan scan{0.01, {}};
+  for (int k = 1; k <= 1800; ++k) {
+    scan.counts.push_back(static_cast<int>(std::floor(count(0.01 * k) + 1e-9)));
+  }
+  return scan;
+}
+
+/// threshold, before, after, width, persistence and rise
+TEST(StepSharpness, OfOneJumpIsAStepWithoutWidth) {
+  const auto jump = known_staircase([](double w) { return w < 9 ? 5 : 8; });
+  EXPECT_THAT(step_sharpness(jump, 8.995, 7.5).value(), FieldsAre(8.995, 5, 8, 0, 1, Rise::step));
+}
+
+TEST(StepSharpness, OfARampIsTheClimbBetweenTheMiddlesOfItsStretches) {
+  // The count 10 w, more than 20 from 2.1 rad/s on: medians at 1.75 and 2.62 rad/s. From the first
+  // 18 to the first 26.
+  const auto ramp = known_staircase([](double w) { return 10 * w; });
+  EXPECT_THAT(step_sharpness(ramp, 2.095, 20).value(),
+              FieldsAre(2.095, 17, 26, DoubleNear(2.6 - 1.8, 1e-9), 1, Rise::climb));
+}
+
+TEST(StepSharpness, OfAShortRampBetweenLevelsIsItsLength) {
+  const auto ramp = [](double length) {
+    return known_staircase(
+        [=](double w) { return w < 3 ? 6 : std::min(12.0, 6 + 6 * (w - 3) / length); });
+  };
+  // From the first 7, a sixth up the ramp, to its end.
+  EXPECT_THAT(step_sharpness(ramp(0.3), 3.195, 9).value(),
+              FieldsAre(_, _, _, DoubleNear(0.3 * 5 / 6, 1e-9), _, Rise::step));
+  EXPECT_THAT(step_sharpness(ramp(0.6), 3.395, 9).value(),
+              FieldsAre(_, _, _, DoubleNear(0.6 * 5 / 6, 1e-9), _, Rise::climb));
+}
+
+TEST(StepSharpness, OfWhatSoonIsQuietAgainIsNone) {
+  // Loud from 4 to 4.5 rad/s, and not again before 6: a quarter of the stretch.
+  const auto brief = known_staircase([](double w) { return w < 4 || w >= 4.5 ? 5 : 9; });
+  EXPECT_THAT(step_sharpness(brief, 3.995, 7.5).value(),
+              FieldsAre(_, _, 5, _, DoubleNear(0.25, 0.01), Rise::none));
+}
+
+TEST(StepSharpness, OfASmallStepThatPassesTheLimitIsAClimb) {
+  // Seven to eight is sharp, and louder than 7.5, but no significant increase by itself.
+  const auto small = known_staircase([](double w) { return w < 5 ? 7 : 8; });
+  EXPECT_THAT(step_sharpness(small, 4.995, 7.5).value(), FieldsAre(_, _, _, 0, 1, Rise::climb));
+}
+
+TEST(StepSharpness, IsNotWidenedByLoneSpeeds) {
+  SpeedScan scan = known_staircase([](double w) { return w < 9 ? 5 : 8; });
+  for (const std::size_t k : {700U, 800U}) scan.counts[k] = 6;
+  for (const std::size_t k : {1000U, 1100U}) scan.counts[k] = 5;
+  EXPECT_THAT(step_sharpness(scan, 8.995, 7.5).value(),
+              FieldsAre(_, _, _, 0, testing::Lt(1), Rise::step));
+}
+
+TEST(StepSharpness, LooksAsFarAsItReachesAndAsTheScanGoes) {
+  // Loud again above 12 rad/s only: seen from 9, within a half and not within a fifth.
+  const auto scan = known_staircase([](double w) { return w < 9 || w >= 12 ? 5 : 8; });
+  EXPECT_EQ(step_sharpness(scan, 8.995, 7.5, 1.2)->persistence, 1);
+  EXPECT_LT(step_sharpness(scan, 8.995, 7.5, 1.5)->persistence, 0.9);
+  const auto late = known_staircase([](double w) { return w < 17 ? 5 : 8; });
+  EXPECT_EQ(step_sharpness(late, 16.995, 7.5)->persistence, 1);
+  EXPECT_FALSE(step_sharpness(late, 18.5, 7.5));
+  EXPECT_FALSE(step_sharpness(late, 0.005, 7.5));
+}
+
+TEST(QuietIntervals, AreTheStretchesOfQuietSpeeds) {
+  const SpeedScan scan{0.5, {2, 3, 4, 5, 3, 9, 1, 1, 1}};
+  const auto found = quiet_intervals(scan, 3);
+  EXPECT_THAT(found, ElementsAre(FieldsAre(0.5, 1.0), FieldsAre(2.5, 2.5), FieldsAre(3.5, 4.5)));
+  EXPECT_EQ(found.front().width(), 0.5);
+  EXPECT_THAT(quiet_intervals(scan, 0.5), IsEmpty());
+  EXPECT_THAT(quiet_intervals(scan, 9), ElementsAre(FieldsAre(0.5, 4.5)));
 }
 
 }  // namespace

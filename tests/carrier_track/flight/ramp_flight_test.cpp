@@ -7,10 +7,24 @@
 #include <cmath>
 
 #include "problems/carrier_track/check/random_scenes.h"
-#include "tests/carrier_track/flight/random_ramp_forces.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/motion/profile_forces.h"
+#include "tests/carrier_track/models/watch.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
+
+/// Forces that use every term of RampForces.
+RampForces<double> random_ramp_forces(RandomScenes& draws) {
+  const auto within = [&](double a, double b) { return draws.within(a, b); };
+  return {{within(-1, 1), within(-0.1, 0.1), within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1),
+           within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1)},
+          {within(-1, 1), within(-1, 1), draws.log_within(0.3, 30)},
+          within(-4, 4),
+          draws.log_within(0.3, 20),
+          draws.chance(0.2) ? 0.0 : within(-20, 20)};
+}
 
 /// The acceleration as the definition of PlateForces has it.
 double acceleration(const RampForces<double>& f, double t) {
@@ -27,9 +41,7 @@ double acceleration(const RampForces<double>& f, double t) {
 
 TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReach) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
-  RandomScenes draws(1);
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
+  for_random(1, 300, [](RandomScenes& draws) {
     const RampForces<double> forces = random_ramp_forces(draws);
     const RampFlight<double> flight(0.3, -0.2, forces);
     const double t = flight.reach() * draws.within(0, 1);
@@ -41,13 +53,11 @@ TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReach) {
     const double way =
         Gauss::integrate([&](double s) { return (t - s) * acceleration(forces, s); }, 0.0, t);
     EXPECT_NEAR(m.position, 0.3 - 0.2 * t + way, 2e-16 + 1e-14 * size * t * t);
-  }
+  });
 }
 
 TEST(RampFlight, KnowsItsDerivativesAndBounds) {
-  RandomScenes draws(2);
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
+  for_random(2, 300, [](RandomScenes& draws) {
     RampFlight<double> flight(0.0, 0.0, random_ramp_forces(draws));
     const RampFlight<double> start = flight;
     const double reach = flight.reach();
@@ -61,7 +71,7 @@ TEST(RampFlight, KnowsItsDerivativesAndBounds) {
     EXPECT_LE(std::abs(flight.acceleration()), start.bounds(reach).acceleration * (1 + 1e-12));
     EXPECT_LE(std::abs(flight.jerk()), start.jerk_bound() * (1 + 1e-12));
     EXPECT_LE(std::abs(flight.snap()), start.bounds(reach).snap * (1 + 1e-12));
-  }
+  });
 }
 
 TEST(RampFlight, GoesOnAfterAnAdvanceAsBefore) {
@@ -78,29 +88,187 @@ TEST(RampFlight, GoesOnAfterAnAdvanceAsBefore) {
   }
 }
 
-TEST(RampFlight, CarriesDerivativesWithRespectToTheSlope) {
-  using Jet = ceres::Jet<double, 1>;
-  RandomScenes draws(4);
-  for (int i = 0; i < 100; ++i) {
-    const RampForces<double> f = random_ramp_forces(draws);
-    const auto position_at = [&](const auto& slope, double t) {
-      using Scalar = std::decay_t<decltype(slope)>;
-      const auto lift = [](double x) { return constant<Scalar>(x); };
-      const RampForces<Scalar> forces{
-          {lift(f.plate.steady), lift(f.plate.square), lift(f.plate.cosine),
-           lift(f.plate.square_cosine), lift(f.plate.slope_cosine), lift(f.plate.sine),
-           lift(f.plate.square_sine), lift(f.plate.slope_sine)},
-          {lift(f.disturbance.cosine), lift(f.disturbance.sine), lift(f.disturbance.frequency)},
-          lift(f.alpha),
-          lift(f.omega),
-          slope};
-      return RampFlight<Scalar>(lift(0), lift(0), forces).at(lift(t)).position;
-    };
-    const double t = 0.2 / (f.omega + std::sqrt(std::abs(f.slope)) + f.disturbance.frequency);
-    const double h = 1e-4;
-    const double difference = (position_at(f.slope + h, t) - position_at(f.slope - h, t)) / (2 * h);
-    EXPECT_NEAR(position_at(Jet(f.slope, 0), t).v[0], difference, 1e-9 * t * t);
+/// A number with derivatives of every order, or with none.
+template <class T>
+T random_dual(double x, RandomScenes& draws, bool varies = true) {
+  if constexpr (Dual<T>) {
+    T result(random_dual<Inner<T>>(x, draws, varies));
+    for (int i = 0; varies && i < T::DIMENSION; ++i) {
+      result.v[i] = random_dual<Inner<T>>(draws.within(-1, 1), draws);
+    }
+    return result;
+  } else {
+    return x;
   }
+}
+
+template <class T>
+RampForces<T> random_duals(RandomScenes& draws, bool plate_varies, bool disturbed) {
+  const RampForces<double> f = random_ramp_forces(draws);
+  const auto plate = [&](double x) { return random_dual<T>(x, draws, plate_varies); };
+  const auto vary = [&](double x) { return random_dual<T>(x, draws); };
+  const T zero = constant<T>(0.0);
+  return {{plate(f.plate.steady), plate(f.plate.square), plate(f.plate.cosine),
+           plate(f.plate.square_cosine), plate(f.plate.slope_cosine), plate(f.plate.sine),
+           plate(f.plate.square_sine), plate(f.plate.slope_sine)},
+          {disturbed ? vary(f.disturbance.cosine) : zero,
+           disturbed ? vary(f.disturbance.sine) : zero, vary(f.disturbance.frequency)},
+          vary(f.alpha),
+          vary(f.omega),
+          vary(f.slope)};
+}
+
+/// All that a dual is made of.
+template <class T>
+void expect_near(const T& a, const T& b, double tolerance) {
+  if constexpr (Dual<T>) {
+    expect_near(a.a, b.a, tolerance);
+    for (int i = 0; i < T::DIMENSION; ++i) expect_near(a.v[i], b.v[i], tolerance);
+  } else {
+    EXPECT_NEAR(a, b, tolerance);
+  }
+}
+
+template <class T>
+class TangentFlightOf : public testing::Test {};
+using FlownDuals = testing::Types<ceres::Jet<double, 4>, ceres::Jet<ceres::Jet<double, 3>, 3>>;
+TYPED_TEST_SUITE(TangentFlightOf, FlownDuals);
+
+TYPED_TEST(TangentFlightOf, IsThatOfAPowerSeriesOfDuals) {
+  RandomScenes draws(1);
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const auto forces = random_duals<TypeParam>(draws, i % 3 > 0, i % 2 > 0);
+    const auto position = random_dual<TypeParam>(0.3, draws);
+    const auto velocity = random_dual<TypeParam>(-0.2, draws);
+    const auto push = random_dual<TypeParam>(0.4, draws);
+    DualRampFlight<TypeParam> flight(random_dual<TypeParam>(9, draws), velocity, forces);
+    RampFlight<TypeParam> series(position, velocity, forces);
+    flight.start(position, velocity);
+    flight.push(push);
+    series.push(push);
+    EXPECT_EQ(flight.reach(), series.reach());
+    const auto expect_same = [&](const Motion<TypeParam>& a, const Motion<TypeParam>& b) {
+      expect_near(a.position, b.position, 1e-12);
+      expect_near(a.velocity, b.velocity, 1e-11);
+      expect_near(a.acceleration, b.acceleration, 1e-10 * (1 + flight.size()));
+    };
+    expect_near(flight.acceleration(), series.acceleration(), 1e-12 * (1 + flight.size()));
+    const auto t = random_dual<TypeParam>(flight.reach() * draws.within(0, 0.5), draws);
+    expect_same(flight.at(t), series.at(t));
+    const auto by = random_dual<TypeParam>(2.0, draws);
+    flight.shift(by);
+    series.shift(by);
+    flight.advance(t);
+    series.advance(t);
+    expect_near(flight.position, series.position, 1e-12);
+    expect_same(flight.at(t), series.at(t));
+    EXPECT_NEAR(flight.plain().velocity, value(series.velocity), 1e-14);
+    if (this->HasFailure()) return;
+  }
+}
+
+TYPED_TEST(TangentFlightOf, SlidesAlongItsMotion) {
+  RandomScenes draws(2);
+  for (int i = 0; i < 50; ++i) {
+    DualRampFlight<TypeParam> flight(random_dual<TypeParam>(0.3, draws),
+                                     random_dual<TypeParam>(-0.2, draws),
+                                     random_duals<TypeParam>(draws, true, true));
+    const DualRampFlight<TypeParam> start = flight;
+    TypeParam t = random_dual<TypeParam>(0.0, draws);
+    t.a = constant<Inner<TypeParam>>(0.0);
+    flight.shift_time_derivative(t.v);
+    expect_near(flight.position, start.at(t).position, 1e-13);
+    expect_near(flight.velocity, start.at(t).velocity, 1e-12);
+  }
+}
+
+/// Scenes whose paths do not make much of a change in the last digit.
+bool is_tame(const Scene& scene, const Recording& recording) {
+  const Recording other = record(with(scene, set::mass(scene.mass * (1 + 1e-13))), 0.25, 0);
+  return other.impacts.size() == recording.impacts.size() &&
+         std::abs(other.end.position - recording.end.position) < 1e-11;
+}
+
+/// Expects of tame random scenes the same motion under both profiles, which are made for a scene.
+/// Returns how many those are.
+template <class Profile, class OtherProfile>
+int expect_same_motion(int seed, int trials, const Profile& one, const OtherProfile& other) {
+  RandomScenes draws(static_cast<std::uint64_t>(seed));
+  int compared = 0;
+  for (int i = 0; i < trials; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draws.next();
+    const double omega = scene.omega;
+    scene.profile = one(omega);
+    const Recording expected = record(scene, 0.25, 0);
+    if (!is_tame(scene, expected)) continue;
+    scene.profile = other(omega, draws);
+    const Recording actual = record(scene, 0.25, 0);
+    expect_hits(actual.impacts, expected.impacts, 1e-9, 1e-9);
+    EXPECT_NEAR(actual.end.position, expected.end.position, 1e-9);
+    EXPECT_NEAR(actual.end.time, expected.end.time, 1e-14 * expected.end.time);
+    if (testing::Test::HasFailure()) break;
+    ++compared;
+  }
+  return compared;
+}
+
+using Knots = std::vector<SpeedKnot<double>>;
+
+TEST(ProfileForces, OfOneKnotAreThoseOfAConstantSpeed) {
+  const auto one_knot = [](double omega, auto& draws) {
+    return Knots{{draws.within(0, 1), omega}};
+  };
+  EXPECT_GT(expect_same_motion(
+                1, 300, [](double) { return Knots(); }, one_knot),
+            200);
+}
+
+TEST(ProfileForces, DoNotMindAKnotWithinALeg) {
+  const auto leg = [](double omega) { return Knots{{0.0, omega}, {0.8, 2 * omega}}; };
+  const auto parts = [](double omega, auto& /*draws*/) {
+    return Knots{{0.0, omega}, {0.2, 1.25 * omega}, {0.3, 1.375 * omega}, {0.8, 2 * omega}};
+  };
+  EXPECT_GT(expect_same_motion(2, 200, leg, parts), 150);
+}
+
+TEST(ProfileForces, ASpinUpWithoutOtherForcesActsThroughTheSlidersAlone) {
+  // x'' = -s (omega' sin alpha + omega^2 cos alpha) / m is the second derivative of s cos(alpha) /
+  // m.
+  const Scene scene = with(Scene{}, set::mass(1.3), set::walls(-100, 100), set::start(0.5, 0.02),
+                           set::slider_mass_radius(0.4), set::phase(0.7),
+                           set::profile(Knots{{0.1, 1.0}, {2.1, 9.0}}), set::seconds(2.1));
+  const double alpha = 0.7 + 0.1 + 2.0 * 5.0;
+  const double share = 0.4 / 1.3;
+  const double expected = 0.5 + 0.02 * 2.1 + share * (std::cos(alpha) - std::cos(0.7)) +
+                          share * std::sin(0.7) * 1.0 * 2.1;
+  EXPECT_NEAR(record(scene, 0.25, 0).end.position, expected, 1e-13);
+}
+
+TEST(ProfileForces, CompliantWallsConvergeToHardOnesUnderThem) {
+  const Scene scene =
+      with(Scene{}, set::mass(1.2), set::wall_upper(1e-3), set::restitution(0.4),
+           set::friction(0.1), set::normal_force(1.0), set::pull(0.5),
+           set::centrifugal_mass_radius(0.1), set::slider_mass_radius(0.02),
+           set::start_position(0.5e-3), set::profile(Knots{{0.0, 2.0}, {0.7, 8.0}, {1.0, 5.0}}),
+           set::seconds(1.5), set::contact_law(ContactLaw::exact_restitution));
+  const auto hard = record(scene, 0.25, 0).impacts;
+  ASSERT_GT(hard.size(), 8U);
+  double before = 1;
+  for (const double stiffness : {1e14, 1e18, 1e22}) {
+    const auto soft =
+        record(with(scene, set::fidelity(Fidelity::compliant), set::stiffness(stiffness)), 0.25, 0)
+            .impacts;
+    double error = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      ASSERT_EQ(soft[k].wall, hard[k].wall);
+      error = std::max(error, std::abs(soft[k].time - hard[k].time));
+    }
+    EXPECT_LT(error, 0.1 * before) << stiffness;  // K^-0.4 is a factor of 40
+    before = error;
+  }
+  EXPECT_LT(before, 1e-6);
 }
 
 }  // namespace

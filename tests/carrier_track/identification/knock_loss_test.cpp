@@ -4,18 +4,210 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
 
-#include "tests/carrier_track/identification/example_record.h"
+#include "problems/carrier_track/identification/knock_problem.h"
+#include "ricochet/machine.h"
+#include "tests/carrier_track/identification/synthetic_knocks.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::Not;
+
+TEST(KnockUnknowns, ArePointsAndBack) {
+  const KnockUnknowns u{0.3, 0.2, 7e-4, 1.5, 1.01, 2e-3, 0.9, 0.4, 5e-3, 3, 0.2, 0.7, 1e-3, 1e-4};
+  const KnockUnknowns v = unknowns_at(point_of(u));
+  for (const auto member :
+       {&KnockUnknowns::restitution, &KnockUnknowns::friction, &KnockUnknowns::clearance,
+        &KnockUnknowns::phase, &KnockUnknowns::speed_factor, &KnockUnknowns::jitter,
+        &KnockUnknowns::recorded_share, &KnockUnknowns::spurious_rate,
+        &KnockUnknowns::detection_limit, &KnockUnknowns::gain, &KnockUnknowns::scatter,
+        &KnockUnknowns::upper_share, &KnockUnknowns::lag, &KnockUnknowns::drift}) {
+    EXPECT_NEAR(v.*member, u.*member, 1e-15 * (u.*member > 1 ? 10 : 1));
+  }
+  EXPECT_NEAR(v.clearance, u.clearance, 1e-18);
+  EXPECT_NEAR(v.detection_limit, u.detection_limit, 1e-17);
+}
+
+TEST(KnockUnknowns, HaveSlopesOfTheConstants) {
+  const Vector x = point_of(guess_of(knocking_machine()));
+  for (Eigen::Index i = 0; i < machine_constants; ++i) {
+    const auto constant = [&](double change) {
+      Vector moved = x;
+      moved[i] += change;
+      const KnockUnknowns u = unknowns_at(moved);
+      return i == 0 ? u.restitution : i == 1 ? u.friction : u.clearance;
+    };
+    EXPECT_NEAR(slopes_at(x)[i], (constant(1e-5) - constant(-1e-5)) / 2e-5, 1e-9);
+  }
+}
+
+TEST(KnockUnknowns, BecomeConstantsOfAScene) {
+  KnockUnknowns u = guess_of(knocking_machine());
+  u.restitution = 0.25;
+  u.friction = 0.15;
+  u.clearance = 1e-3;
+  const Scene scene = with_constants(with(knocking_machine(), set::wall_lower(1)), u);
+  EXPECT_EQ(std::tuple(scene.restitution_lower, scene.restitution_upper, scene.friction,
+                       scene.wall_upper, scene.start_position),
+            std::tuple(0.25, 0.25, 0.15, 1.001, 1));
+}
+
+const KnockRecord ramp{{}, {{10, 3}, {25, 6}}, 10, 25, {}};
+
+TEST(PredictedImpacts, AreThoseOfTheSimulation) {
+  const Vector x = point_of(guess_of(knocking_machine()));
+  const auto impacts = plain_impacts(knocking_machine(), ramp, x, 1e-3);
+  // The same machine from rest, two turns before the record.
+  const double settling = 4 * std::numbers::pi / 3;
+  Scene scene = with(knocking_machine(), set::seconds(settling + 15));
+  scene.phase -= 3 * settling;
+  scene.profile = {{0, 3}, {settling, 3}, {settling + 15, 6}};
+  std::vector<Impact> expected;
+  for (const Impact& impact : simulate(scene).impacts) {
+    if (impact.speed > 1e-3 && impact.time >= settling) expected.push_back(impact);
+  }
+  ASSERT_EQ(impacts.size(), expected.size());
+  ASSERT_GT(impacts.size(), 30U);
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    EXPECT_NEAR(impacts[i].time, expected[i].time - settling + 10, 1e-9);
+    EXPECT_NEAR(impacts[i].log_speed, std::log(expected[i].speed), 1e-7);
+  }
+}
+
+TEST(PredictedImpacts, HaveDerivativesByEveryCoordinate) {
+  const Vector x = point_of(guess_of(knocking_machine()));
+  const auto impacts = predicted_impacts(knocking_machine(), ramp, x, 1e-3);
+  for (Eigen::Index i = 0; i < motion_unknowns; ++i) {
+    constexpr double step = 1e-7;
+    const auto moved = [&](double change) {
+      return plain_impacts(knocking_machine(), ramp, x + change * Vector::Unit(x.size(), i), 1e-3);
+    };
+    const auto above = moved(step), below = moved(-step);
+    ASSERT_EQ(above.size(), impacts.size());
+    ASSERT_EQ(below.size(), impacts.size());
+    const auto k = static_cast<std::size_t>(i);
+    for (std::size_t j = 0; j < impacts.size(); ++j) {
+      const double slope = (above[j].time - below[j].time) / (2 * step);
+      EXPECT_NEAR(impacts[j].time_slopes[k], slope, 1e-5 * (1 + std::abs(slope))) << i;
+      const double speed_slope = (above[j].log_speed - below[j].log_speed) / (2 * step);
+      EXPECT_NEAR(impacts[j].log_speed_slopes[k], speed_slope, 1e-4 * (1 + std::abs(speed_slope)))
+          << i;
+    }
+  }
+}
+
+TEST(PredictedImpacts, ComeEarlierOnAFasterPlate) {
+  KnockUnknowns at = guess_of(knocking_machine());
+  const auto last = [&] {
+    return plain_impacts(knocking_machine(), {{}, {{0, 4}}, 0, 20, {}}, point_of(at), 1e-2)
+        .back()
+        .time;
+  };
+  const double slow = last();
+  at.speed_factor = 1.001;
+  EXPECT_NEAR(last() / slow, 1 / 1.001, 1e-4);
+}
+
+const KnockUnknowns known{.restitution = 0.5,
+                          .friction = 0.2,
+                          .clearance = 1e-3,
+                          .phase = 0,
+                          .speed_factor = 1,
+                          .jitter = 1e-3,
+                          .recorded_share = 0.8,
+                          .spurious_rate = 0.5,
+                          .detection_limit = 5e-3,
+                          .gain = 1,
+                          .scatter = 0.1};
+
+const KnockRecord silent{{}, {{0, 5}}, 0, 10, {}};
+
+/// One strong impact, 1 s after the start; one exactly at the detection limit, half a second later.
+KnockDensity density_of_two(const KnockRecord& record = silent, double blur = 0) {
+  return {record, {{1.0, std::log(0.1)}, {1.5, std::log(5e-3)}}, point_of(known), blur};
+}
+
+double gaussian(double off, double width) {
+  return std::exp(-off * off / (2 * width * width)) / (width * std::sqrt(2 * std::numbers::pi));
+}
+
+TEST(KnockDensity, IsAGaussianAroundEachImpactAboveASpuriousRate) {
+  const KnockDensity density = density_of_two();
+  for (const double off : {0.0, 0.002}) {
+    EXPECT_NEAR(density.log_at({1.0 + off}, nullptr), std::log(0.5 + 0.8 * gaussian(off, 1e-3)),
+                off == 0 ? 1e-12 : 1e-9);
+  }
+  EXPECT_NEAR(density.log_at({1.5}, nullptr), std::log(0.5 + 0.4 * gaussian(0, 1e-3)), 1e-12);
+  EXPECT_NEAR(density.log_at({3.0}, nullptr), std::log(0.5), 1e-12);
+  const double wide = std::hypot(1e-3, 0.01);  // by a blur of the plate's angle
+  EXPECT_NEAR(density_of_two(silent, 0.05).log_at({1.01}, nullptr),
+              std::log(0.5 + 0.8 * gaussian(0.01, wide)), 1e-9);
+}
+
+TEST(KnockDensity, ExpectsAsManyKnocksAsItIntegratesTo) {
+  const KnockDensity density = density_of_two();
+  EXPECT_NEAR(density.expected(nullptr), 5 + 0.8 + 0.4, 1e-12);
+  double integral = 0;
+  const double step = 1e-4;
+  for (double t = step / 2; t < 10; t += step) {
+    integral += step * std::exp(density.log_at({t}, nullptr));
+  }
+  EXPECT_NEAR(integral, density.expected(nullptr), 1e-6);
+}
+
+/// After a knock the sensor is deaf: the impact that it is of has been heard, and another, even one
+/// that follows within a jitter or two, is not expected. Of two that may be it, one is.
+TEST(KnockDensity, ExpectsNoOtherImpactInTheDeadTimeAfterAKnock) {
+  KnockRecord record = silent;
+  record.knocks = {{1.0}};
+  record.dead_time = 0.02;
+  const double spurious = 0.5 * (10 - record.dead_time);
+  // Half of one at the same time is before the knock, where the sensor would have heard it.
+  for (const auto& [later, impacts] :
+       {std::pair{0.0, 1.5}, {0.003, 1.0}, {0.006, 1.0}, {0.015, 1.0}}) {
+    const KnockDensity density(record, {{1.0, std::log(0.1)}, {1 + later, std::log(0.1)}},
+                               point_of(known), 0);
+    EXPECT_NEAR(density.expected(nullptr), spurious + 0.8 * impacts, 0.02) << later;
+  }
+}
+
+TEST(KnockDensity, OfStrengthsIsPerLogarithmOfStrength) {
+  KnockRecord record = silent;
+  record.knocks = {{0.5, 0.01}, {2, 0.1}};  // the range of strengths: a factor of ten
+  const KnockDensity density = density_of_two(record);
+  for (const double off : {0.0, 0.2}) {
+    EXPECT_NEAR(density.log_at({1.0, 0.1 * std::exp(off)}, nullptr),
+                std::log(0.5 / std::log(10.0) + 0.8 * gaussian(0, 1e-3) * gaussian(off, 0.1)),
+                off == 0 ? 1e-12 : 1e-9);
+  }
+}
+
+/// With one impact the information is known: its time counts as one Gaussian measurement in the
+/// share of records in which it appears; that share has the variance of a yes or no.
+TEST(KnockDensity, HasTheInformationOfIndependentImpacts) {
+  KnockUnknowns at = known;
+  at.spurious_rate = 1e-6;
+  std::vector<PredictedImpact> impact = {{1.0, std::log(0.1)}};
+  impact[0].time_slopes[2] = 3;
+  const auto both = KnockDensity(silent, impact, point_of(at), 0).information();
+  EXPECT_NEAR(both.information(2, 2), 0.8 * 9 / 1e-6, 0.01 * 0.8 * 9 / 1e-6);
+  EXPECT_NEAR(both.score(2, 2), both.information(2, 2), 1e-6 * both.information(2, 2));
+  EXPECT_NEAR(both.information(5, 5), 0.8 * 2, 0.02);  // of the logarithm of the jitter
+  EXPECT_NEAR(both.information(6, 6), 0.8 * 0.2 * 0.2, 1e-3);
+  EXPECT_NEAR(both.score(6, 6), 0.8 * 0.2 * 0.2 * 0.2, 1e-3);
+}
 
 void expect_exact_slopes(const KnockRecord& record, Vector x, double blur) {
   const KnockLoss loss(knocking_machine(), record);
   if (record.has_strengths()) x[8] = loss.guess()[8];
+  if (record.plate) x.segment(3, 2) << record.plate->phase + 1e-3, record.plate->log_speed;
   x[2] += 0.02;
   Vector slopes;
   loss.at(x, blur, &slopes);
@@ -23,10 +215,8 @@ void expect_exact_slopes(const KnockRecord& record, Vector x, double blur) {
     const double step = i == coordinate::speed_factor || i == coordinate::drift ? 1e-9
                         : i == coordinate::lag                                  ? 1e-8
                                                                                 : 1e-6;
-    Vector up = x, down = x;
-    up[i] += step;
-    down[i] -= step;
-    const double expected = (loss.at(up, blur) - loss.at(down, blur)) / (2 * step);
+    const Vector change = step * Vector::Unit(x.size(), i);
+    const double expected = (loss.at(x + change, blur) - loss.at(x - change, blur)) / (2 * step);
     EXPECT_NEAR(slopes[i], expected, 1e-4 * (1 + std::abs(expected))) << "coordinate " << i;
   }
 }
@@ -34,59 +224,43 @@ void expect_exact_slopes(const KnockRecord& record, Vector x, double blur) {
 TEST(KnockLoss, HasExactSlopes) {
   const KnockRecord record = example_record();
   for (const double blur : {0.0, 0.02}) expect_exact_slopes(record, example_point(record), blur);
-}
-
-TEST(KnockLoss, HasExactSlopesWithStrengthsAndMarks) {
-  SensorModel sensor;
-  sensor.strengths = true;
-  sensor.mark_jitter = 1e-3;
-  const KnockRecord record = example_record(sensor);
-  Vector x = example_point(record);
-  x.segment(3, 2) << record.plate->phase + 1e-3, record.plate->log_speed;
-  expect_exact_slopes(record, x, 0);
+  const KnockRecord marked = example_record({.strengths = true, .mark_jitter = 1e-3});
+  expect_exact_slopes(marked, example_point(marked), 0);
 }
 
 /// Lag, drift, a deaf sensor, a wall each, saturated strengths.
 TEST(KnockLoss, HasExactSlopesOfEachFaultOfAMeasurement) {
   for (const bool strengths : {false, true}) {
-    SensorModel sensor;
-    sensor.strengths = strengths;
-    sensor.mark_jitter = 1e-3;
-    sensor.lag = 2e-3;
-    sensor.drift = 1e-4;
-    sensor.dead_time = 12e-3;
-    sensor.saturation = 0.06;
+    const SensorModel sensor{.strengths = strengths,
+                             .mark_jitter = 1e-3,
+                             .lag = 2e-3,
+                             .drift = 1e-4,
+                             .dead_time = 12e-3,
+                             .saturation = 0.06};
     KnockRecord record = example_record(sensor);
     record.lag_deviation = 5e-3;
     record.dead_time = sensor.dead_time;
     if (strengths) record.saturation = sensor.saturation;
     Vector x = example_point(record);
-    x.segment(3, 2) << record.plate->phase + 1e-3, record.plate->log_speed;
     x[coordinate::lag] = 1.5e-3;
     x[coordinate::drift] = 5e-5;
     x[coordinate::upper_share] = 1;
-    expect_exact_slopes(record, x, 0);
-    expect_exact_slopes(record, x, 0.02);
+    for (const double blur : {0.0, 0.02}) expect_exact_slopes(record, x, blur);
   }
 }
 
 TEST(KnockLoss, FitsWhatTheSensorTells) {
-  const KnockRecord times = example_record();
-  EXPECT_THAT(KnockLoss(knocking_machine(), times).free(), Contains(8));
-  EXPECT_THAT(KnockLoss(knocking_machine(), times).free(), Not(Contains(9)));
-  SensorModel sensor;
-  sensor.strengths = true;
-  const KnockRecord strengths = example_record(sensor);
-  EXPECT_THAT(KnockLoss(knocking_machine(), strengths).free(), Not(Contains(8)));
-  EXPECT_THAT(KnockLoss(knocking_machine(), strengths).free(), Contains(9));
+  const KnockRecord times = example_record(), strengths = example_record({.strengths = true});
+  EXPECT_THAT(KnockLoss(knocking_machine(), times).free(), AllOf(Contains(8), Not(Contains(9))));
+  EXPECT_THAT(KnockLoss(knocking_machine(), strengths).free(),
+              AllOf(Contains(9), Not(Contains(8))));
 }
 
 /// The mean of the slopes over records is zero at the truth, and their covariance that of the
 /// scores: what the intervals rest on.
 TEST(KnockLoss, HasScoresOfTheExpectedSpread) {
   constexpr int records = 60;
-  const KnockRecord first = example_record();
-  Vector x = example_point(first);
+  const Vector x = example_point(example_record());
   Vector sum = Vector::Zero(knock_unknowns), squares = sum, variance;
   for (int k = 0; k < records; ++k) {
     const KnockRecord record = example_record({}, static_cast<std::uint64_t>(k + 1));
@@ -100,6 +274,63 @@ TEST(KnockLoss, HasScoresOfTheExpectedSpread) {
   for (Eigen::Index i = 0; i < 6; ++i) {
     EXPECT_LT(std::abs(sum[i]) / records, 3.5 * std::sqrt(variance[i] / records)) << i;
     EXPECT_NEAR(squares[i] / records / variance[i], 1, 0.7) << i;
+  }
+}
+
+TEST(KnockProblem, HasTheLossOfItsCoordinatesScaledByTheInformation) {
+  const KnockRecord record = example_record();
+  const KnockLoss loss(knocking_machine(), record);
+  const Vector centre = example_point(record);
+  const KnockCoordinates coordinates = knock_coordinates(loss, centre, 0, loss.free());
+  const Problem problem = knock_problem(loss, coordinates, 0);
+  ASSERT_EQ(problem.dimension(), 10);
+  EXPECT_EQ(problem.evaluate(problem.start).objective, loss.at(centre, 0));
+  const Vector z = Vector::Constant(10, 0.1);
+  EXPECT_EQ(problem.evaluate(z).objective, loss.at(coordinates.at(z), 0));
+  const Vector gradient = problem.differentiate(z).gradient;
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    const Vector change = 1e-4 * Vector::Unit(10, i);
+    const double difference =
+        problem.evaluate(z + change).objective - problem.evaluate(z - change).objective;
+    EXPECT_NEAR(gradient[i], difference / 2e-4, 1e-3);
+  }
+  const Matrix scaled = coordinates.directions.transpose() * loss.information(centre).information *
+                        coordinates.directions;
+  EXPECT_LT((scaled - Matrix::Identity(10, 10)).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST(KnockProblem, StaysWhereASimulationEnds) {
+  const KnockRecord record = example_record();
+  const KnockLoss loss(knocking_machine(), record);
+  KnockCoordinates coordinates = knock_coordinates(loss, example_point(record), 0, {0, 1});
+  coordinates.directions *= 1e6;
+  const KnockUnknowns far = unknowns_at(coordinates.at(Vector::Constant(2, 10)));
+  EXPECT_LT(far.restitution, 0.99);
+  EXPECT_LT(far.friction, 1);
+}
+
+TEST(NextSpeed, PredictsWhatALongerRecordWouldKnow) {
+  const KnockRecord record = example_record();
+  const Vector x = example_point(record);
+  const auto deviation_of_friction = [&](const KnockRecord& known_record) {
+    const KnockLoss loss(knocking_machine(), known_record);
+    return std::sqrt(covariance_of(loss.information(x), loss.free())(1, 1));
+  };
+  const KnockLoss loss(knocking_machine(), record);
+  const auto next = next_speed(loss, x, Vector::Unit(machine_constants, 1), 18);
+  ASSERT_TRUE(next);
+  EXPECT_LT(next->deviation, next->now);
+  EXPECT_NEAR(next->now, deviation_of_friction(record), 1e-12);
+  // If the record goes on for a step of a speed.
+  const auto deviation_with = [&](double omega) {
+    KnockRecord longer = record;
+    longer.speed.push_back({record.to + 1e-3, omega});
+    longer.to = record.to + next_step_seconds;
+    return deviation_of_friction(longer);
+  };
+  EXPECT_NEAR(deviation_with(next->omega) / next->deviation, 1, 0.1);
+  for (const double other : {0.7, 1.5}) {
+    EXPECT_GT(deviation_with(other * next->omega), 0.95 * next->deviation);
   }
 }
 

@@ -1,10 +1,7 @@
 #include "tests/carrier_track/identification/synthetic_knocks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "problems/carrier_track/identification/knock_unknowns.h"

@@ -3,36 +3,30 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/brute_force.h"
-#include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
-#include "tests/support/numbers.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 using std::numbers::pi;
 
-const std::vector<ContactLaw>& all_laws() {
-  static const std::vector<ContactLaw> laws = {
-      ContactLaw::hertz,          ContactLaw::kelvin_voigt,
-      ContactLaw::hunt_crossley,  ContactLaw::lankarani_nikravesh,
-      ContactLaw::zhiying_qishao, ContactLaw::flores,
-      ContactLaw::gonthier,       ContactLaw::exact_restitution};
-  return laws;
-}
+constexpr ContactLaw all_laws[] = {ContactLaw::hertz,          ContactLaw::kelvin_voigt,
+                                   ContactLaw::hunt_crossley,  ContactLaw::lankarani_nikravesh,
+                                   ContactLaw::zhiying_qishao, ContactLaw::flores,
+                                   ContactLaw::gonthier,       ContactLaw::exact_restitution};
 
 struct Pressed : Watched<double> {
   void contact(double time, double position, double velocity) {
@@ -49,24 +43,31 @@ Pressed press(const Scene& scene, double tolerance = 1e-10) {
 }
 
 /// The same scene between hard walls.
-auto watch_hard(Scene scene) {
-  scene.fidelity = Fidelity::impact;
-  return watch(scene);
+auto watch_hard(const Scene& scene) {
+  return watch(with(scene, set::fidelity(Fidelity::impact)));
 }
 
 /// A body without forces that strikes the lower wall at once.
 Scene thrown(ContactLaw law, double restitution) {
-  Scene scene;
-  scene.fidelity = Fidelity::compliant;
-  scene.mass = 1.2;
-  scene.wall_upper = infinity;
-  scene.start_position = 0;
-  scene.start_velocity = -0.3;
-  scene.restitution_lower = scene.restitution_upper = restitution;
-  scene.contact_law = law;
-  if (law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
-  scene.window = Seconds{0.2};
-  return scene;
+  return with(
+      Scene{}, set::fidelity(Fidelity::compliant), set::mass(1.2), set::wall_upper(infinity),
+      set::start(0, -0.3), set::restitution(restitution), set::contact_law(law),
+      set::contact_exponent(law == ContactLaw::kelvin_voigt ? 1.0 : 1.5), set::seconds(0.2));
+}
+
+/// On an elastic linear spring, where w = 100 rad/s.
+Scene on_a_spring() {
+  return with(thrown(ContactLaw::hertz, 0.5), set::contact_exponent(1.0), set::stiffness(1.2e4));
+}
+
+/// At rest on the surface of the lower wall.
+Scene laid(ContactLaw law, double stiffness = 1e8) {
+  return with(thrown(law, 0.5), set::start_velocity(0), set::stiffness(stiffness));
+}
+
+/// How deep a wall carries a force [N].
+double carried_at(const Scene& scene, double force) {
+  return std::pow(force / scene.stiffness, 1 / scene.contact_exponent);
 }
 
 /// What theory says that a scene's law returns from an impact of a given speed.
@@ -77,41 +78,36 @@ double theoretical_restitution(const Scene& scene, double speed) {
 }
 
 TEST(CompliantModel, ReturnsTheRestitutionOfEveryLawWhateverStiffnessMassAndExponent) {
-  double worst = 0;
-  for (const ContactLaw law : all_laws()) {
+  for (const ContactLaw law : all_laws) {
     for (const double c : {0.1, 0.3, 0.5, 0.7, 0.9}) {
       for (const double n : {1.0, 1.3, 1.5, 2.0}) {
-        Scene scene = thrown(law, c);
-        if (law != ContactLaw::kelvin_voigt) scene.contact_exponent = n;
-        scene.stiffness = n < 1.4 ? 3e6 : 1e9;
-        scene.mass = n == 2.0 ? 0.02 : 1.2;
         SCOPED_TRACE(testing::Message() << static_cast<int>(law) << " " << c << " " << n);
+        Scene scene = with(thrown(law, c), set::stiffness(n < 1.4 ? 3e6 : 1e9),
+                           set::mass(n == 2.0 ? 0.02 : 1.2));
+        if (law != ContactLaw::kelvin_voigt) scene.contact_exponent = n;
         const Pressed pressed = press(scene);
         ASSERT_EQ(pressed.hits.size(), 1U);
-        const double e = pressed.end.velocity / 0.3;
-        const double error = std::abs(e / theoretical_restitution(scene, 0.3) - 1);
-        EXPECT_LT(error, 1e-8);
-        worst = std::max(worst, error);
+        EXPECT_LT(std::abs(pressed.end.velocity / 0.3 / theoretical_restitution(scene, 0.3) - 1),
+                  1e-8);
+        // The wall of Kelvin and Voigt never pulls: the velocity never falls.
+        EXPECT_TRUE(law != ContactLaw::kelvin_voigt ||
+                    std::ranges::is_sorted(pressed.samples, {}, &Sample::velocity));
       }
     }
   }
-  RecordProperty("worst_relative_error", std::to_string(worst));
 }
 
 TEST(CompliantModel, PenetratesAsDeepAsTheoryAndAppearsInBothWallsAlike) {
   for (const ContactLaw law : {ContactLaw::hertz, ContactLaw::hunt_crossley, ContactLaw::flores}) {
     for (const double c : {0.1, 0.6}) {
-      Scene scene = thrown(law, c);
+      const Scene scene = thrown(law, c);
       const Pressed lower = press(scene);
       double depth = 0;
       for (const Sample& s : lower.samples) depth = std::max(depth, -s.position);
       expect_close(depth, peak_penetration(1e8, 1.5, 1.2, 0.3, dissipation(law, c)), 1e-9);
       EXPECT_TRUE(lower.tops.empty());
 
-      scene.wall_lower = -infinity;
-      scene.wall_upper = 0;
-      scene.start_velocity = 0.3;
-      const Pressed upper = press(scene);
+      const Pressed upper = press(with(scene, set::walls(-infinity, 0), set::start_velocity(0.3)));
       ASSERT_EQ(upper.samples.size(), lower.samples.size());
       for (std::size_t i = 0; i < upper.samples.size(); ++i) {
         EXPECT_EQ(upper.samples[i].position, -lower.samples[i].position);
@@ -125,8 +121,7 @@ TEST(CompliantModel, PenetratesAsDeepAsTheoryAndAppearsInBothWallsAlike) {
 
 TEST(CompliantModel, AHertzContactLastsItsClosedFormTimeAndKeepsItsEnergy) {
   for (const double n : {1.0, 1.5, 2.0}) {
-    Scene scene = thrown(ContactLaw::hertz, 0.5);
-    scene.contact_exponent = n;
+    const Scene scene = with(thrown(ContactLaw::hertz, 0.5), set::contact_exponent(n));
     const Pressed pressed = press(scene);
     const double depth = peak_penetration(scene.stiffness, n, scene.mass, 0.3, 0);
     // 2 times the integral of dx / sqrt(1 - x^(n+1)) over 0..1, a beta function.
@@ -149,15 +144,11 @@ TEST(CompliantModel, FollowsALinearSpringUnderAPullThatTurns) {
   // x'' = -w^2 x - P cos(W t) while x < 0: x = c (cos(W t) - cos(w t)) + v0/w sin(w t), where
   // c = -P / (w^2 - W^2).
   for (const double turning : {4.0, 40.0, 3000.0}) {
-    Scene scene = thrown(ContactLaw::hertz, 0.5);
-    scene.contact_exponent = 1;
-    scene.stiffness = 1.2e4;  // w = 100 rad/s
-    scene.pull = 1.2 * 3.0 * (turning > 100 ? 1000 : 1);
-    scene.pull_rotates = true;
-    scene.omega = turning;
-    const Pressed pressed = press(scene);
+    const double pull = 3.0 * (turning > 100 ? 1000 : 1);  // of 1 kg
+    const Pressed pressed = press(
+        with(on_a_spring(), set::pull(1.2 * pull), set::pull_rotates(true), set::omega(turning)));
     ASSERT_GE(pressed.samples.size(), 5U);
-    const double c = -scene.pull / 1.2 / (1e4 - turning * turning);
+    const double c = -pull / (1e4 - turning * turning);
     for (const Sample& s : pressed.samples) {
       if (s.time > 0.027) break;
       const double x = c * (std::cos(turning * s.time) - std::cos(100 * s.time)) -
@@ -167,28 +158,13 @@ TEST(CompliantModel, FollowsALinearSpringUnderAPullThatTurns) {
   }
 }
 
-TEST(CompliantModel, KelvinVoigtNeverPulls) {
-  // The velocity may fall in the wall only while K d + C d' > 0: it never falls on the way out.
-  for (const double c : {0.1, 0.5, 0.9}) {
-    const Pressed pressed = press(thrown(ContactLaw::kelvin_voigt, c));
-    double last = -1;
-    for (const Sample& s : pressed.samples) {
-      EXPECT_GE(s.velocity, last - 1e-11);
-      last = s.velocity;
-    }
-    expect_close(pressed.end.velocity, 0.3 * c, 1e-9);
-  }
-}
-
 TEST(CompliantModel, AFixedContactSpeedMakesSlowImpactsElastic) {
   // Then D v / v0 takes the place of D: that of the law only where v = v0.
-  Scene scene = thrown(ContactLaw::exact_restitution, 0.1);
-  scene.contact_speed = 0.3;
+  const Scene scene = with(thrown(ContactLaw::exact_restitution, 0.1), set::contact_speed(0.3));
   double last = 0;
   for (const double speed : {0.6, 0.3, 0.03, 3e-3, 3e-4}) {
-    scene.start_velocity = -speed;
-    scene.window = Seconds{0.2 / speed};
-    const double e = press(scene).end.velocity / speed;
+    const Scene slower = with(scene, set::start_velocity(-speed), set::seconds(0.2 / speed));
+    const double e = press(slower).end.velocity / speed;
     expect_close(e, theoretical_restitution(scene, speed), 1e-8);
     EXPECT_GT(e, last);
     last = e;
@@ -200,15 +176,13 @@ TEST(CompliantModel, AFixedContactSpeedMakesSlowImpactsElastic) {
 }
 
 TEST(CompliantModel, EachWallHasItsOwnRestitution) {
-  Scene scene = thrown(ContactLaw::exact_restitution, 0.5);
-  scene.restitution_upper = 0.9;
-  scene.wall_upper = 0.01;
-  scene.start_position = 0.005;
-  scene.window = Seconds{1.0};
-  const Pressed pressed = press(scene);
-  ASSERT_GE(pressed.hits.size(), 5U);
+  const auto hits =
+      press(with(thrown(ContactLaw::exact_restitution, 0.5), set::restitution_upper(0.9),
+                 set::wall_upper(0.01), set::start_position(0.005), set::seconds(1)))
+          .hits;
+  ASSERT_GE(hits.size(), 5U);
   double speed = 0.3;
-  for (const auto& hit : pressed.hits) {
+  for (const auto& hit : hits) {
     expect_close(hit.speed, speed, 1e-8);
     speed *= hit.wall == Wall::lower ? 0.5 : 0.9;
   }
@@ -216,8 +190,7 @@ TEST(CompliantModel, EachWallHasItsOwnRestitution) {
 
 TEST(CompliantModel, ErrsByNoMoreThanItsToleranceAndRepeatsItself) {
   for (const double n : {1.0, 1.3, 1.5}) {
-    Scene scene = thrown(ContactLaw::exact_restitution, 0.3);
-    scene.contact_exponent = n;
+    const Scene scene = with(thrown(ContactLaw::exact_restitution, 0.3), set::contact_exponent(n));
     double coarse = 0;
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
       const double error = std::abs(press(scene, tolerance).end.velocity / 0.09 - 1);
@@ -233,32 +206,23 @@ TEST(CompliantModel, ErrsByNoMoreThanItsToleranceAndRepeatsItself) {
 }
 
 TEST(CompliantModel, SpendsFewEvaluationsOnAContact) {
-  Scene scene = thrown(ContactLaw::hunt_crossley, 0.5);
+  const Scene scene = thrown(ContactLaw::hunt_crossley, 0.5);
   EXPECT_LT(press(scene, 1e-6).end.evaluations, 400);
   EXPECT_LT(press(scene, 1e-10).end.evaluations, 800);
 }
 
 /// A ball dropped on a compliant floor, with the stiffness it takes for some depth.
-Scene bouncing_ball(double stiffness) {
-  Scene scene = thrown(ContactLaw::exact_restitution, 0.8);
-  scene.stiffness = stiffness;
-  scene.start_position = 0.5;
-  scene.start_velocity = 0;
-  scene.pull = 9.8;
-  scene.mass = 1.0;
-  scene.window = Seconds{2.0};
-  return scene;
+Scene ball_on_soft_floor(double stiffness) {
+  return with(thrown(ContactLaw::exact_restitution, 0.8), set::stiffness(stiffness),
+              set::start(0.5, 0), set::pull(9.8), set::mass(1), set::seconds(2));
 }
 
 TEST(CompliantModel, ABouncingBallTendsToTheImpactModelAsTheContactTimeDoes) {
   // Contact times, and the weight's share of the rebound, fall with K^(-1/(n+1)).
   std::vector<double> errors;
   for (const double stiffness : {1e6, 1e8, 1e10, 1e12}) {
-    const Scene scene = bouncing_ball(stiffness);
-    const auto hard = watch_hard(scene);
-    const Pressed soft = press(scene);
-    ASSERT_GT(soft.hits.size(), 4U);
-    errors.push_back(std::abs(soft.hits[4].time - hard.hits[4].time));
+    const Scene scene = ball_on_soft_floor(stiffness);
+    errors.push_back(std::abs(press(scene).hits.at(4).time - watch_hard(scene).hits.at(4).time));
   }
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_NEAR(std::log10(errors[i - 1] / errors[i]) / 2, 0.4, 0.02);
@@ -268,33 +232,25 @@ TEST(CompliantModel, ABouncingBallTendsToTheImpactModelAsTheContactTimeDoes) {
 
 TEST(CompliantModel, ABouncingBallEndsAtTheDepthThatCarriesItWithoutTinySteps) {
   for (const double c : {0.1, 0.5, 0.9}) {
-    Scene scene = bouncing_ball(1e10);
-    scene.restitution_lower = c;
-    scene.window = Seconds{60.0};
-    const Pressed minute = press(scene);
-    expect_close(minute.end.position, -std::pow(9.8 / 1e10, 1 / 1.5), 1e-8);
+    const Scene scene = with(ball_on_soft_floor(1e10), set::restitution_lower(c));
+    const Pressed minute = press(with(scene, set::seconds(60)));
+    expect_close(minute.end.position, -carried_at(scene, 9.8), 1e-8);
     EXPECT_NEAR(minute.end.velocity, 0, 1e-9);
     EXPECT_EQ(minute.end.time, 60.0);
-    scene.window = Seconds{6e4};
-    EXPECT_LE(press(scene).samples.size(), minute.samples.size() + 30);
+    EXPECT_LE(press(with(scene, set::seconds(6e4))).samples.size(), minute.samples.size() + 30);
   }
 }
 
 TEST(CompliantModel, RestsInTheWallItIsPressedAgainstFromTheStart) {
-  for (const ContactLaw law : all_laws()) {
+  for (const ContactLaw law : all_laws) {
     for (const double mu : {0.0, 0.2}) {
       for (int i = 1; i <= 20; ++i) {
-        Scene scene = thrown(law, 0.5);
-        scene.start_velocity = 0;
-        scene.pull = 0.37 * i;
-        scene.friction = mu;
-        scene.normal_force = 1.0;
+        const Scene scene =
+            with(laid(law), set::pull(0.37 * i), set::friction(mu), set::normal_force(1));
         const Pressed pressed = press(scene);
         EXPECT_TRUE(pressed.hits.empty());
         EXPECT_TRUE(pressed.samples.empty()) << "it takes no steps";
-        expect_close(pressed.end.position,
-                     -std::pow((scene.pull - mu) / scene.stiffness, 1 / scene.contact_exponent),
-                     1e-12);
+        expect_close(pressed.end.position, -carried_at(scene, scene.pull - mu));
       }
     }
   }
@@ -302,22 +258,16 @@ TEST(CompliantModel, RestsInTheWallItIsPressedAgainstFromTheStart) {
 
 TEST(CompliantModel, SinksIntoAWallWhenAGrowingForceOvercomesFriction) {
   for (const double mu : {0.0, 0.25}) {
-    Scene scene = thrown(ContactLaw::exact_restitution, 0.5);
-    scene.stiffness = 1e10;
-    scene.start_velocity = 0;
-    scene.pull = 2.0;
-    scene.pull_rotates = true;
-    scene.phase = -pi / 2;  // 2 sin(3 t), inward
-    scene.omega = 3.0;
-    scene.friction = mu;
-    scene.normal_force = 4.0;
-    scene.window = Seconds{0.4};
+    // The force is 2 sin(3 t), inward.
+    const Scene scene = with(laid(ContactLaw::exact_restitution, 1e10), set::pull(2),
+                             set::pull_rotates(true), set::phase(-pi / 2), set::omega(3),
+                             set::friction(mu), set::normal_force(4), set::seconds(0.4));
     const Pressed pressed = press(scene);
     ASSERT_FALSE(pressed.samples.empty());
     EXPECT_NEAR(pressed.samples.front().time, std::asin(mu * 4.0 / 2.0) / 3.0, 1e-3);
     // Slowly enough to carry the force at every depth.
     const double force = 2.0 * std::sin(1.2) - mu * 4.0;
-    expect_close(pressed.end.position, -std::pow(force / 1e10, 1 / 1.5), 1e-2);
+    expect_close(pressed.end.position, -carried_at(scene, force), 1e-2);
     EXPECT_LT(pressed.samples.size(), 2000U);
   }
 }
@@ -325,54 +275,30 @@ TEST(CompliantModel, SinksIntoAWallWhenAGrowingForceOvercomesFriction) {
 TEST(CompliantModel, ATouchWithoutSpeedNeitherBouncesNorCreeps) {
   // Dropped from 1e-21 m it arrives with 1.3e-10 m/s, and rests where the wall carries it; the
   // printed law, scaled with that speed, would let it sink for hours.
-  Scene scene = thrown(ContactLaw::exact_restitution, 0.1);
-  scene.start_position = 1e-21;
-  scene.start_velocity = 0;
-  scene.pull = 10.0;
+  const Scene scene =
+      with(thrown(ContactLaw::exact_restitution, 0.1), set::start(1e-21, 0), set::pull(10));
   const Pressed touch = press(scene);
   EXPECT_EQ(touch.hits.size(), 1U);
-  expect_close(touch.end.position, -std::pow(10.0 / 1e8, 1 / 1.5), 1e-12);
+  expect_close(touch.end.position, -carried_at(scene, 10));
 }
 
 TEST(CompliantModel, HopsTooSlowToMatterEnd) {
   // 1e-7 N would let it hop at picometres per second for hundreds of contacts.
-  Scene scene = thrown(ContactLaw::exact_restitution, 0.9);
-  scene.mass = 1.0;
-  scene.stiffness = 1e14;
-  scene.pull = 1e-7;
-  scene.start_position = 7e-12;
-  scene.start_velocity = 0;
-  scene.window = Seconds{100.0};
+  const Scene scene =
+      with(thrown(ContactLaw::exact_restitution, 0.9), set::mass(1), set::stiffness(1e14),
+           set::pull(1e-7), set::start(7e-12, 0), set::seconds(100));
   const Pressed hops = press(scene);
   EXPECT_GE(hops.hits.size(), 2U);
   EXPECT_LE(hops.hits.size(), 4U);
-  expect_close(hops.end.position, -std::pow(1e-7 / 1e14, 1 / 1.5), 1e-12);
-}
-
-TEST(CompliantModel, RestsOnTheSurfaceOfAWallThatNothingPressesIt) {
-  Scene scene = thrown(ContactLaw::hunt_crossley, 0.5);
-  scene.start_velocity = 0;
-  scene.friction = 0.5;
-  scene.normal_force = 3.0;
-  scene.pull = 1.4;
-  EXPECT_EQ(press(scene).end.position, 0.0);
-  scene.pull = 0;
-  scene.friction = 0;
-  EXPECT_EQ(press(scene).end.position, 0.0);
+  expect_close(hops.end.position, -carried_at(scene, 1e-7));
 }
 
 TEST(CompliantModel, FrictionInAWallTakesItsTollOfEveryHalfTurnOfALinearSpring) {
   // About the depth P / w^2, every turning point is 2 f / w^2 nearer, until friction holds it.
-  Scene scene = thrown(ContactLaw::hertz, 1.0);
-  scene.contact_exponent = 1;
-  scene.mass = 1.0;
-  scene.stiffness = 1e4;
-  scene.pull = 50.0;
-  scene.friction = 0.3;
-  scene.normal_force = 8.0;  // f = 2.4, shift 4.8e-4 m
-  scene.start_velocity = -0.15;
-  scene.window = Seconds{3.0};
-  const Pressed pressed = press(scene);
+  // f = 2.4, shift 4.8e-4 m.
+  const Pressed pressed = press(
+      with(on_a_spring(), set::restitution(1), set::mass(1), set::stiffness(1e4), set::pull(50),
+           set::friction(0.3), set::normal_force(8), set::start_velocity(-0.15), set::seconds(3)));
   // The first turn follows from the energy: w^2 d^2 / 2 - (P - f) d = v^2 / 2.
   const double net = 50.0 - 2.4;
   double depth = (net + std::sqrt(net * net + 1e4 * 0.15 * 0.15)) / 1e4;
@@ -400,16 +326,9 @@ TEST(CompliantModel, HoldsABodyInTheWallUntilTheBalanceLeavesTheBandOfFriction) 
   // It rests where the wall carries pull - friction; it slips when the pull has fallen by twice
   // the friction.
   for (const double stiffness : {1e5, 1e8, 1e12}) {
-    Scene scene = thrown(ContactLaw::exact_restitution, 0.5);
-    scene.stiffness = stiffness;
-    scene.start_velocity = 0;
-    scene.pull = 2.0;
-    scene.pull_rotates = true;
-    scene.omega = 3.0;
-    scene.friction = 0.25;
-    scene.normal_force = 2.0;
-    scene.window = Seconds{0.7};
-    const Pressed pressed = press(scene);
+    const Pressed pressed = press(with(laid(ContactLaw::exact_restitution, stiffness), set::pull(2),
+                                       set::pull_rotates(true), set::omega(3), set::friction(0.25),
+                                       set::normal_force(2), set::seconds(0.7)));
     ASSERT_GE(pressed.stretches.size(), 1U);
     expect_close(pressed.stretches[0].duration, std::acos((2.0 - 2 * 0.5) / 2.0) / 3.0, 1e-9);
     // And leaves the wall when the pull has turned against friction.
@@ -418,35 +337,12 @@ TEST(CompliantModel, HoldsABodyInTheWallUntilTheBalanceLeavesTheBandOfFriction) 
   }
 }
 
-TEST(CompliantModel, LeavesTheWallWhenAPullThatTurnsNoLongerPresses) {
-  // The impact model leaves at once when the pull has turned; the contact takes its own time.
-  std::vector<double> delays;
-  for (const double stiffness : {1e8, 1e10, 1e12, 1e14}) {
-    Scene scene = thrown(ContactLaw::exact_restitution, 0.5);
-    scene.stiffness = stiffness;
-    scene.start_position = 1e-3;
-    scene.start_velocity = 0;
-    scene.pull = 1.0;
-    scene.pull_rotates = true;
-    scene.omega = 1.0;
-    scene.window = Seconds{2.0};
-    const Pressed pressed = press(scene);
-    delays.push_back(pressed.stretches.back().time - pi / 2);
-    EXPECT_GT(delays.back(), 0);
-    EXPECT_LT(pressed.samples.size(), 600U);
-    EXPECT_NEAR(pressed.end.position, watch_hard(scene).end.position, 0.03 * delays.back());
-  }
-  EXPECT_LT(delays.front(), 4e-3);
-  for (std::size_t i = 1; i < delays.size(); ++i) EXPECT_LT(delays[i], 0.4 * delays[i - 1]);
-}
-
 TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
   int compared = 0;
   for (const Case& a_case : all_cases()) {
     for (const bool loud : {false, true}) {
-      Scene scene = scene_of(a_case, exploratory_scene());
-      scene.contact_law = ContactLaw::exact_restitution;
-      scene.stiffness = 1e18;
+      Scene scene = with(scene_of(a_case, exploratory_scene()), set::stiffness(1e18),
+                         set::contact_law(ContactLaw::exact_restitution));
       if (a_case.claim.figure) {
         scene.omega = loud ? a_case.claim.figure->loud : a_case.claim.figure->quiet;
       }
@@ -464,16 +360,17 @@ TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
   EXPECT_GE(compared, 18);
 }
 
-/// A random law, stiffness and exponent for a random scene.
-void make_compliant(Scene& scene, RandomScenes& draws) {
-  scene.fidelity = Fidelity::compliant;
-  scene.contact_law = all_laws()[static_cast<std::size_t>(draws.within(0, 7.999))];
+/// A random scene with a random law, stiffness and exponent.
+Scene compliant_scene(RandomScenes& draws) {
+  Scene scene = with(draws.next(), set::fidelity(Fidelity::compliant));
+  scene.contact_law = all_laws[static_cast<std::size_t>(draws.within(0, 7.999))];
   scene.contact_exponent = draws.chance(0.5) ? 1.5 : draws.within(1.0, 2.5);
   if (scene.contact_law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
   scene.stiffness = draws.log_within(1e4, 1e9);
   if (draws.chance(0.2)) scene.contact_speed = draws.log_within(0.01, 1.0);
   scene.restitution_lower = std::max(scene.restitution_lower, 0.05);
   scene.restitution_upper = std::max(scene.restitution_upper, 0.05);
+  return scene;
 }
 
 double elastic_energy(const Scene& scene, double depth) {
@@ -487,15 +384,9 @@ double depth_in_walls(const Scene& scene, double position) {
 }
 
 TEST(CompliantModel, NeverGainsEnergyUnderASteadyPull) {
-  RandomScenes scenes(21);
-  for (int i = 0; i < 2000; ++i) {
-    Scene scene = scenes.next();
-    make_compliant(scene, scenes);
-    scene.omega = 0;
-    scene.pull_rotates = false;
-    scene.disturbance = 0;
-    scene.window = Seconds{0.5};
-    SCOPED_TRACE(i);
+  for_random(21, 2000, [](RandomScenes& draws) {
+    const Scene scene = with(compliant_scene(draws), set::omega(0), set::pull_rotates(false),
+                             set::disturbance(0), set::seconds(0.5));
     ASSERT_NO_THROW(check(scene, "random"));
     const Pressed pressed = press(scene);
     const auto energy = [&](double position, double velocity) {
@@ -512,16 +403,13 @@ TEST(CompliantModel, NeverGainsEnergyUnderASteadyPull) {
       ASSERT_LE(now - last, 3e-9 * level) << s.time;
       last = now;
     }
-  }
+  });
 }
 
 TEST(CompliantModel, StaysWithinTheDepthThatItsEnergyAllowsInRandomScenes) {
-  RandomScenes scenes(22);
   std::size_t contacts = 0;
-  for (int i = 0; i < 2000; ++i) {
-    Scene scene = scenes.next();
-    make_compliant(scene, scenes);
-    SCOPED_TRACE(i);
+  for_random(22, 2000, [&](RandomScenes& draws) {
+    const Scene scene = compliant_scene(draws);
     const Pressed pressed = press(scene);
     const double square = scene.omega * scene.omega;
     const double force = std::abs(scene.pull) + std::abs(scene.disturbance) +
@@ -534,121 +422,76 @@ TEST(CompliantModel, StaysWithinTheDepthThatItsEnergyAllowsInRandomScenes) {
                 0.5 * scene.mass * fastest * fastest + force * depth + 1e-12);
       ASSERT_GE(depth, -1e-15);
     }
-    for (std::size_t k = 1; k < pressed.samples.size(); ++k) {
-      ASSERT_GE(pressed.samples[k].time, pressed.samples[k - 1].time);
-    }
+    ASSERT_TRUE(std::ranges::is_sorted(pressed.samples, {}, &Sample::time));
     EXPECT_GE(pressed.end.time, 0.29);
     contacts += pressed.hits.size();
-  }
+  });
   EXPECT_GT(contacts, 10'000U);
 }
 
 TEST(CompliantModel, RestsOnAWallWhereTheForcesBalanceFrictionButForRounding) {
+  EXPECT_EQ(press(laid(ContactLaw::hunt_crossley)).end.position, 0.0) << "without forces";
   for (int i = 1; i < 30; ++i) {
     for (int k = 1; k < 30; ++k) {
-      Scene scene = thrown(ContactLaw::hunt_crossley, 0.5);
-      scene.start_velocity = 0;
-      scene.omega = 0;
-      scene.pull = 0.1 * i;
-      scene.disturbance = -0.1 * k;
-      scene.disturbance_frequency = 0;
-      scene.friction = 0.1;
-      scene.normal_force = i + k;
+      const Scene scene = with(laid(ContactLaw::hunt_crossley), set::omega(0), set::pull(0.1 * i),
+                               set::disturbance(-0.1 * k), set::disturbance_frequency(0),
+                               set::friction(0.1), set::normal_force(i + k));
       const Pressed pressed = press(scene);
       EXPECT_EQ(pressed.end.position, 0.0);
       EXPECT_EQ(pressed.stretches.size(), 1U);
-      scene.start_position = 0.5;
-      EXPECT_EQ(press(scene).end.position, 0.5);
+      EXPECT_EQ(press(with(scene, set::start_position(0.5))).end.position, 0.5);
     }
   }
 }
 
-struct State {
-  double depth, speed;
-};
-
-/// Classical Runge-Kutta steps in plain time through one contact with the lower wall, without
-/// friction: a slow reference that shares only the law's formula. Its error, by the edges of the
-/// contact, falls with the step's power n + 1.
-class Reference {
- public:
-  Reference(const Scene& scene, double time, double speed)
-      : scene_(scene), time_(time), state_{0, speed} {
-    damping_ = dissipation(scene.contact_law, scene.restitution_lower) /
-               scene.contact_speed.value_or(speed);
+/// Classical Runge-Kutta steps in plain time through a contact with the lower wall that begins at
+/// `time` and `speed`, without friction: a slow reference that shares only the law's formula. Its
+/// error, by the edges of the contact, falls with the step's power n + 1. Returns the time and the
+/// speed at which the body leaves.
+std::array<double, 2> leave_wall(const Scene& scene, double time, double speed, double step) {
+  using State = std::array<double, 2>;  // depth and speed
+  const double damping =
+      dissipation(scene.contact_law, scene.restitution_lower) / scene.contact_speed.value_or(speed);
+  const auto motion = [&](const State& s, State& slope, double t) {
+    const double contact = scene.stiffness * std::pow(std::max(0.0, s[0]), scene.contact_exponent) *
+                           (1 + damping * s[1]);
+    slope = {s[1], (-force_of_plate(scene, t) - contact) / scene.mass};
+  };
+  boost::numeric::odeint::runge_kutta4<State> stepper;
+  for (State now = {0, speed};; time += step) {
+    State next = now;
+    stepper.do_step(motion, next, time, step);
+    const double share = now[0] / (now[0] - next[0]);
+    if (next[0] < 0) return {time + share * step, now[1] + share * (next[1] - now[1])};
+    now = next;
   }
-
-  /// Returns the time at which the body leaves the wall.
-  double leave(double step) {
-    for (;;) {
-      const State a = derivative(0, {0, 0}, 0);
-      const State b = derivative(step / 2, a, step / 2);
-      const State c = derivative(step / 2, b, step / 2);
-      const State d = derivative(step, c, step);
-      const double depth =
-          state_.depth + step * (a.depth + 2 * b.depth + 2 * c.depth + d.depth) / 6;
-      const double speed =
-          state_.speed + step * (a.speed + 2 * b.speed + 2 * c.speed + d.speed) / 6;
-      if (depth < 0) {
-        const double share = state_.depth / (state_.depth - depth);
-        state_.speed += share * (speed - state_.speed);
-        return time_ + share * step;
-      }
-      state_ = {depth, speed};
-      time_ += step;
-    }
-  }
-  double speed() const { return state_.speed; }
-
- private:
-  State derivative(double later, State slope, double share) const {
-    const double depth = std::max(0.0, state_.depth + share * slope.depth);
-    const double speed = state_.speed + share * slope.speed;
-    const double contact =
-        scene_.stiffness * std::pow(depth, scene_.contact_exponent) * (1 + damping_ * speed);
-    return {speed, (-force_of_plate(scene_, time_ + later) - contact) / scene_.mass};
-  }
-
-  const Scene& scene_;
-  double time_;
-  State state_;
-  double damping_;
-};
+}
 
 TEST(CompliantModel, PlainTimeStepsFindTheEndOfContactsUnderAllForces) {
-  RandomScenes scenes(23);
   int compared = 0;
-  for (int i = 0; i < 300; ++i) {
-    Scene scene = scenes.next();
-    make_compliant(scene, scenes);
-    if (scene.contact_law == ContactLaw::kelvin_voigt) continue;
-    scene.friction = 0;
-    scene.stiffness = 3e6;
+  for_random(23, 300, [&](RandomScenes& draws) {
+    const Scene scene = with(compliant_scene(draws), set::friction(0), set::stiffness(3e6));
+    if (scene.contact_law == ContactLaw::kelvin_voigt) return;
     const Pressed pressed = press(scene);
-    if (pressed.hits.empty() || pressed.hits[0].wall != Wall::lower) continue;
+    if (pressed.hits.empty() || pressed.hits[0].wall != Wall::lower) return;
     const auto& hit = pressed.hits[0];
-    const auto end = std::find_if(
-        pressed.samples.begin(), pressed.samples.end(),
-        [&](const Sample& s) { return s.time > hit.time && s.position == scene.wall_lower; });
-    if (end == pressed.samples.end() || end->time > hit.time + 0.03) continue;
-    SCOPED_TRACE(i);
-    Reference reference(scene, hit.time, hit.speed);
-    const double lasts = reference.leave((end->time - hit.time) / 3000) - hit.time;
-    EXPECT_NEAR(lasts / (end->time - hit.time), 1, 3e-5);
-    EXPECT_NEAR(-reference.speed() / end->velocity, 1, 3e-5);
+    const auto end = std::ranges::find_if(pressed.samples, [&](const Sample& s) {
+      return s.time > hit.time && s.position == scene.wall_lower;
+    });
+    if (end == pressed.samples.end() || end->time > hit.time + 0.03) return;
+    const double lasts = end->time - hit.time;
+    const auto [time, speed] = leave_wall(scene, hit.time, hit.speed, lasts / 3000);
+    EXPECT_NEAR((time - hit.time) / lasts, 1, 3e-5);
+    EXPECT_NEAR(-speed / end->velocity, 1, 3e-5);
     ++compared;
-  }
+  });
   EXPECT_GT(compared, 60);
 }
 
 TEST(CompliantModel, EndsWhereverItsWindowDoesInAContact) {
-  Scene scene = thrown(ContactLaw::hertz, 0.5);
-  scene.contact_exponent = 1;
-  scene.stiffness = 1.2e4;  // w = 100 rad/s
   for (int i = 1; i < 314; ++i) {
     const double end = 1e-4 * i;
-    scene.window = Seconds{end};
-    const Pressed pressed = press(scene);
+    const Pressed pressed = press(with(on_a_spring(), set::seconds(end)));
     EXPECT_EQ(pressed.end.time, end);
     EXPECT_NEAR(pressed.end.position, -0.003 * std::sin(100 * end), 1e-9 * 0.003);
     EXPECT_NEAR(pressed.end.velocity, -0.3 * std::cos(100 * end), 1e-9 * 0.3);

@@ -3,12 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/motion/lane_flight.h"
+#include "ricochet/machine.h"
+#include "tests/carrier_track/models/watch.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -36,17 +43,12 @@ Lanes random_lanes(RandomScenes& random) {
   return lanes;
 }
 
-bool same(const Lanes::Row& a, const Lanes::Row& b) {
-  return std::bit_cast<std::array<char, sizeof a>>(a) ==
-         std::bit_cast<std::array<char, sizeof b>>(b);
-}
-
-void expect_same(const Lanes& a, const Lanes& b) {
-  EXPECT_TRUE(same(a.event, b.event) && same(a.time, b.time) && same(a.elapsed, b.elapsed) &&
-              same(a.offset, b.offset) && same(a.velocity, b.velocity) &&
-              same(a.direction, b.direction) && same(a.speed, b.speed) &&
-              same(a.cosine[0], b.cosine[0]) && same(a.sine[1], b.sine[1]) &&
-              same(a.evaluations, b.evaluations));
+/// The bits of all that a flight changes.
+auto results_of(const Lanes& lanes) {
+  const Lanes::Row rows[] = {lanes.event,     lanes.time,      lanes.elapsed, lanes.offset,
+                             lanes.velocity,  lanes.direction, lanes.speed,   lanes.cosine[0],
+                             lanes.cosine[1], lanes.sine[0],   lanes.sine[1], lanes.evaluations};
+  return std::bit_cast<std::array<char, sizeof rows>>(rows);
 }
 
 /// With every kind of instructions that this processor has. Returns how many bodies had an event.
@@ -60,29 +62,19 @@ int expect_same_by_all(const Lanes& lanes) {
   for (const auto other : others) {
     Lanes wide = lanes;
     other(wide);
-    expect_same(wide, plain);
+    EXPECT_EQ(results_of(wide), results_of(plain));
   }
   return static_cast<int>(
       std::ranges::count_if(plain.event, [](double event) { return event != Lanes::none; }));
 }
 
-TEST(Lanes, FlyToTheSameBitsWithAllInstructions) {
-  RandomScenes random(11);
+TEST(Lanes, FlyAndRestToTheSameBitsWithAllInstructions) {
   int events = 0;
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE(i);
-    events += expect_same_by_all(random_lanes(random));
-  }
-  EXPECT_GT(events, 8 * 4500);
-}
-
-TEST(Lanes, RestToTheSameBitsWithAllInstructions) {
-  RandomScenes random(13);
   int released = 0;
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE(i);
+  for_random(11, 5000, [&](RandomScenes& random) {
     Lanes lanes = random_lanes(random);
-    for (std::size_t k = 0; k < Lanes::size; ++k) {
+    events += expect_same_by_all(lanes);
+    for (std::size_t k = 0; k < Lanes::size; ++k) {  // at rest
       lanes.velocity[k] = lanes.direction[k] = 0;
       lanes.friction[k] = std::abs(lanes.steady[k]) + random.within(0, 6);
       lanes.wall[k] = random.below(3) - 1;
@@ -91,7 +83,8 @@ TEST(Lanes, RestToTheSameBitsWithAllInstructions) {
     fly(lanes);
     released += static_cast<int>(
         std::ranges::count_if(lanes.direction, [](double direction) { return direction != 0; }));
-  }
+  });
+  EXPECT_GT(events, 8 * 4500);
   EXPECT_GT(released, 5000);
 }
 
@@ -104,6 +97,129 @@ TEST(Lanes, LeavesAFewThatRestToTheirCaller) {
   EXPECT_EQ(lanes.event[2], Lanes::none);
   EXPECT_EQ(lanes.time[2], before.time[2]);
   EXPECT_EQ(lanes.offset[2], before.offset[2]);
+}
+
+/// What a simulation tells and its end, number by number: impacts alone, all but the stretches, or
+/// all.
+enum class Heard { impacts, events, all };
+template <Heard heard>
+struct Bits : Observer {
+  static constexpr bool hears_impacts_alone = heard == Heard::impacts;
+  static bool hears_stretches() { return heard == Heard::all; }
+
+  std::vector<std::uint64_t> told;
+
+  template <class... Numbers>
+  void note(bool heard_now, Numbers... x) {
+    if (heard_now) (told.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(x))), ...);
+  }
+  void impact(double time, Wall wall, double speed) {
+    note(true, wall == Wall::upper, time, speed);
+  }
+  void peak(double time, double position) { note(!hears_impacts_alone, time, position); }
+  void turn(double time, double position, Wall ahead) {
+    note(!hears_impacts_alone, ahead == Wall::upper, time, position);
+  }
+  void hops(double time, Wall /*wall*/) { note(!hears_impacts_alone, time); }
+  void stretch(double time, const Flight<double>& path, double duration) {
+    note(hears_stretches(), time, path.position, path.velocity, path.steady, duration);
+    for (int i = 0; i < path.harmonics; ++i) {
+      note(hears_stretches(), path.acting(i).cosine, path.acting(i).sine);
+    }
+  }
+  void end(const End<double>& end) {
+    note(true, end.time, end.position, end.velocity, end.evaluations);
+  }
+};
+
+/// The same of every scene, by itself and in lanes.
+template <Heard heard>
+void expect_same_bits(const std::vector<Scene>& scenes) {
+  std::vector<Bits<heard>> observers(scenes.size());
+  const auto outcomes = run_in_lanes(
+      scenes.size(), [&](std::size_t k) { return ImpactModel<double>(scenes[k]); },
+      [&](std::size_t k) -> Bits<heard>& { return observers[k]; });
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    Bits<heard> alone;
+    alone.end(ImpactModel<double>(scenes[k]).run(alone));
+    ASSERT_FALSE(outcomes[k].failure);
+    observers[k].end(outcomes[k].end);
+    ASSERT_EQ(observers[k].told, alone.told) << "scene " << k;
+  }
+}
+
+TEST(ImpactLanes, GivesTheBitsOfASingleSimulationAtManySpeeds) {
+  RandomScenes random(41);
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    const Scene scene = random.next();
+    std::vector<Scene> scenes;  // at neighbouring speeds, as in a scan
+    for (int k = 0; k < 1 + i % 11; ++k) {
+      scenes.push_back(at_speed(scene, scene.omega * (1 + 1e-3 * k)));
+    }
+    expect_same_bits<Heard::all>(scenes);
+  }
+}
+
+TEST(ImpactLanes, GivesTheBitsOfASingleSimulationForOtherScenes) {
+  RandomScenes random(42);
+  for (const std::size_t size : {0U, 1U, 3U, 4U, 5U, 1000U}) {
+    std::vector<Scene> scenes(size);
+    for (Scene& scene : scenes) scene = random.next();
+    expect_same_bits<Heard::all>(scenes);
+    expect_same_bits<Heard::events>(scenes);
+    expect_same_bits<Heard::impacts>(scenes);
+  }
+}
+
+TEST(ImpactLanes, GivesTheBitsOfASingleSimulationForHostileScenes) {
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 1500; ++i) {
+    const Scene scene = hostile_scene(7, i).scene;
+    if (scene.fidelity == Fidelity::impact && scene.profile.empty()) scenes.push_back(scene);
+  }
+  ASSERT_GT(scenes.size(), 1000U);
+  expect_same_bits<Heard::all>(scenes);
+  expect_same_bits<Heard::events>(scenes);
+  expect_same_bits<Heard::impacts>(scenes);
+}
+
+TEST(ImpactLanes, GivesTheBitsOfASingleSimulationWhereTheForcesTurnFast) {
+  RandomScenes random(43);
+  std::vector<Scene> scenes(300);
+  for (Scene& scene : scenes) {
+    scene = with(random.next(), set::disturbance(0.3),
+                 set::disturbance_frequency(random.log_within(40, 4000)),
+                 set::start_velocity(random.within(-2, 2)));
+  }
+  expect_same_bits<Heard::all>(scenes);
+}
+
+/// Throws at its third impact, if it is told to.
+struct Impatient : Observer {
+  static constexpr bool hears_impacts_alone = true;
+
+  bool throws = false;
+  int impacts = 0;
+
+  void impact(double /*time*/, Wall /*wall*/, double /*speed*/) {
+    if (++impacts == 3 && throws) throw std::domain_error("enough");
+  }
+};
+
+TEST(ImpactLanes, EndsOnlyTheSimulationWhoseObserverThrows) {
+  // An elastic ball that nothing slows.
+  const Scene scene = with(Scene{}, set::start_velocity(1), set::seconds(10));
+  std::vector<Impatient> observers(6);
+  observers[1].throws = true;
+  const auto outcomes = run_in_lanes(
+      observers.size(), [&](std::size_t) { return ImpactModel<double>(scene); },
+      [&](std::size_t k) -> Impatient& { return observers[k]; });
+  for (std::size_t k = 0; k < observers.size(); ++k) {
+    EXPECT_EQ(observers[k].impacts, k == 1 ? 3 : 10) << k;
+    EXPECT_EQ(outcomes[k].failure != nullptr, k == 1) << k;
+  }
+  EXPECT_THROW(std::rethrow_exception(outcomes[1].failure), std::domain_error);
 }
 
 }  // namespace

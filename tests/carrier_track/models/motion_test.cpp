@@ -1,18 +1,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
-#include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
+#include "problems/carrier_track/motion/simulate.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/support/scenes.h"
 
 /// What holds of every motion, shown on thousands of random scenes.
 namespace ricochet::carrier_track {
@@ -43,21 +48,17 @@ void expect_equation_31(const Scene& scene, const Watched<double>::Stretch& s) {
 }
 
 TEST(Motion, ObeysEquation31BetweenTheWallsAtAllTimes) {
-  RandomScenes scenes(11);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
+  for_random(11, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
     for (const auto& s : watch(scene).stretches) {
       ASSERT_NO_FATAL_FAILURE(expect_equation_31(scene, s));
     }
-  }
+  });
 }
 
 TEST(Motion, IsContinuousButForTheImpactsItTells) {
-  RandomScenes scenes(12);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
+  for_random(12, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
     const auto watched = watch(scene);
     double time = 0;
     double position = scene.start_position;
@@ -90,109 +91,29 @@ TEST(Motion, IsContinuousButForTheImpactsItTells) {
     ASSERT_NEAR(watched.end.time, duration_of(scene), 1e-14);
     ASSERT_NEAR(watched.end.position, position, 1e-15 * (2e-2 + std::abs(position)));
     ASSERT_NEAR(watched.end.velocity, velocity, 1e-14);
-  }
-}
-
-TEST(Motion, BalancesItsEnergy) {
-  // Kinetic energy = work of the applied force - friction - what the impacts take.
-  RandomScenes scenes(13);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
-    const auto watched = watch(scene);
-    double energy = 0.5 * scene.mass * scene.start_velocity * scene.start_velocity;
-    double turnover = energy;
-    for (const auto& s : watched.stretches) {
-      const auto power = [&](double t) {
-        const double velocity = s.flight.at(t).velocity;
-        return force_of_plate(scene, s.time + t) * velocity -
-               scene.friction * scene.normal_force * std::abs(velocity);
-      };
-      const int panels = 1 + static_cast<int>(s.duration * 40);
-      for (int k = 0; k < panels; ++k) {
-        const double work = boost::math::quadrature::gauss<double, 15>::integrate(
-            power, s.duration * k / panels, s.duration * (k + 1) / panels);
-        energy += work;
-        turnover += std::abs(work);
-      }
-    }
-    for (const auto& hit : watched.hits) {
-      const double e =
-          hit.wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene);
-      energy -= 0.5 * scene.mass * (1 - e * e) * hit.speed * hit.speed;
-    }
-    const double left = 0.5 * scene.mass * watched.end.velocity * watched.end.velocity;
-    ASSERT_NEAR(left, energy, 1e-12 * turnover + 1e-18);
-  }
-}
-
-/// The scene seen from the other side: x -> -x.
-Scene mirrored(const Scene& scene) {
-  Scene mirror = scene;
-  mirror.wall_lower = -scene.wall_upper;
-  mirror.wall_upper = -scene.wall_lower;
-  std::swap(mirror.restitution_lower, mirror.restitution_upper);
-  mirror.start_position = -scene.start_position;
-  mirror.start_velocity = -scene.start_velocity;
-  mirror.phase = scene.phase + std::numbers::pi;  // turns every force that turns
-  if (!scene.pull_rotates) mirror.pull = -scene.pull;
-  if (scene.centrifugal == Centrifugal::inward) mirror.centrifugal = Centrifugal::outward;
-  if (scene.centrifugal == Centrifugal::outward) mirror.centrifugal = Centrifugal::inward;
-  mirror.disturbance = -scene.disturbance;
-  return mirror;
-}
-
-/// Impacts faster than 1e-6 m/s: slower hops may end at another one.
-std::vector<Impact> distinct(const Scene& scene) {
-  std::vector<Impact> result;
-  for (const auto& hit : watch(scene).hits) {
-    if (hit.speed > 1e-6) result.push_back({hit.time, hit.wall, hit.speed});
-  }
-  return result;
-}
-
-TEST(Motion, IsMirroredInAMirroredScene) {
-  RandomScenes scenes(14);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
-    if (!std::isfinite(scene.wall_upper)) continue;
-    const auto impacts = distinct(scene);
-    const auto images = distinct(mirrored(scene));
-    ASSERT_EQ(impacts.size(), images.size());
-    for (std::size_t k = 0; k < impacts.size(); ++k) {
-      ASSERT_NE(impacts[k].wall, images[k].wall);
-      ASSERT_NEAR(impacts[k].time, images[k].time, 1e-7);
-      ASSERT_NEAR(impacts[k].speed, images[k].speed, 1e-6);
-    }
-  }
+  });
 }
 
 TEST(Motion, IsTheSameToTheBitForTwiceTheMassUnderTwiceTheForces) {
-  RandomScenes scenes(15);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
+  for_random(15, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
     Scene heavy = scene;
-    heavy.mass *= 2;
-    heavy.pull *= 2;
-    heavy.normal_force *= 2;
-    heavy.centrifugal_mass_radius *= 2;
-    heavy.slider_mass_radius *= 2;
-    heavy.disturbance *= 2;
+    for (double* quantity :
+         {&heavy.mass, &heavy.pull, &heavy.normal_force, &heavy.centrifugal_mass_radius,
+          &heavy.slider_mass_radius, &heavy.disturbance}) {
+      *quantity *= 2;
+    }
     const auto a = watch(scene);
     const auto b = watch(heavy);
-    ASSERT_EQ(a.hits.size(), b.hits.size());
+    expect_hits(b.hits, a.hits, 0, 0);
     ASSERT_EQ(a.end.position, b.end.position);
     ASSERT_EQ(a.end.velocity, b.end.velocity);
-  }
+  });
 }
 
 TEST(Motion, KeepsItsTimesInASceneOfAnotherSize) {
-  RandomScenes scenes(16);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next();
+  for_random(16, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
     Scene large = scene;
     constexpr double factor = 1024;
     for (double* quantity :
@@ -209,37 +130,227 @@ TEST(Motion, KeepsItsTimesInASceneOfAnotherSize) {
       ASSERT_EQ(large_hits[k].time, small_hits[k].time);
       ASSERT_EQ(large_hits[k].speed, factor * small_hits[k].speed);
     }
-  }
+  });
 }
 
-TEST(Motion, GoesOnFromWhereItWasCut) {
-  RandomScenes scenes(17);
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next();
-    scene.disturbance_frequency = 0.0;  // else it would need a phase to go on with
-    const double window = duration_of(scene);
-    scene.window = Seconds{window};
-    const auto whole = distinct(scene);
-    const double cut = scenes.within(0.1, 0.9) * window;
-    scene.window = Seconds{cut};
-    const auto first = watch(scene);
-    auto parts = distinct(scene);
-    scene.start_position = first.end.position;
-    scene.start_velocity = first.end.velocity;
-    scene.phase += scene.omega * cut;
-    scene.window = Seconds{window - cut};
-    for (Impact impact : distinct(scene)) {
-      impact.time += cut;
-      parts.push_back(impact);
+Scene with_soft_walls(double stiffness) {
+  return with(scene_of(find_case("C4"), exploratory_scene()), set::omega(5),
+              set::fidelity(Fidelity::compliant), set::contact_law(ContactLaw::exact_restitution),
+              set::stiffness(stiffness));
+}
+
+/// Pressed across by the pull's other part, which adds to the normal force.
+Scene pressed_across(double pull) {
+  return with(with_soft_walls(1e8), set::planar({.pull = pull, .start_position = 1}));
+}
+
+int count_of(const Scene& scene) {
+  return record(scene, 0.25, 0).count;
+}
+
+TEST(Simulate, FollowsTheFidelityOfTheScene) {
+  const Scene hard = with(with_soft_walls(1e18), set::fidelity(Fidelity::impact));
+  const int count = count_of(hard);
+  EXPECT_EQ(count_of(with_soft_walls(1e18)), count);
+  EXPECT_NE(count_of(with_soft_walls(1e8)), count) << "a soft wall is another machine";
+  EXPECT_EQ(count_of(pressed_across(0)), count);
+  const Scene pressed = with(hard, set::normal_force(hard.normal_force + 1.5));
+  EXPECT_EQ(count_of(pressed_across(1.5)), count_of(pressed));
+  EXPECT_NE(count_of(pressed), count);
+}
+
+TEST(Simulate, RecordsThePathInACompliantWall) {
+  double deepest = 0;
+  double last = 0;
+  for (const Sample& s : record(with_soft_walls(1e10), 0.25, 200).path) {
+    deepest = std::min(deepest, s.position);
+    EXPECT_GE(s.time, last - 1e-12);
+    last = s.time;
+  }
+  EXPECT_LT(deepest, -1e-6);
+}
+
+TEST(Simulate, RefusesASceneThatLeavesItsLevelOpen) {
+  Scene open = with(with_soft_walls(1e10), set::fidelity(Fidelity::automatic));
+  Observer nobody;
+  EXPECT_THROW(simulate(open, nobody), std::invalid_argument);
+  open.profile = {{0.0, 2.0}};
+  EXPECT_THROW(simulate(open, nobody), std::invalid_argument);
+}
+
+TEST(Simulate, HasNoDerivativesInACompliantWallAndInTwoDirections) {
+  EXPECT_THROW(surrogate_slope(with_soft_walls(1e8), 0.25), std::invalid_argument);
+  EXPECT_THROW(surrogate_slope(pressed_across(1), 0.25), std::invalid_argument);
+}
+
+/// Turning points off the walls, as they are told and as they are seen between stretches: where one
+/// led to a wall that was not struck, and the next does not. Those of motions that are lost in
+/// rounding are left out.
+struct Turns : Observer {
+  struct Turn {
+    double time, position;
+    bool operator==(const Turn&) const = default;
+  };
+
+  explicit Turns(const Scene& scene) : scene_(scene) {}
+
+  void impact(double /*time*/, Wall wall, double /*speed*/) {
+    if (ahead_ == wall) ahead_.reset();
+  }
+
+  void turn(double time, double position, Wall ahead) { add(told, time, position, ahead); }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * path.velocity > 0)) {
+      add(seen, time, path.position, *ahead_);
     }
-    ASSERT_EQ(parts.size(), whole.size());
-    for (std::size_t k = 0; k < whole.size(); ++k) {
-      ASSERT_EQ(parts[k].wall, whole[k].wall);
-      ASSERT_NEAR(parts[k].time, whole[k].time, 1e-7);
-      ASSERT_NEAR(parts[k].speed, whole[k].speed, 1e-6);
+    ahead_.reset();
+    const double velocity = path.velocity != 0 ? path.velocity : path.at(0.5 * duration).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
+    lost_ = path.at(duration).position == path.position && path.at(1.0).velocity != 0;
+  }
+
+  std::vector<Turn> told, seen;
+
+ private:
+  void add(std::vector<Turn>& turns, double time, double position, Wall ahead) {
+    const double distance =
+        ahead == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+    if (distance > 0 && !lost_ && time < duration_of(scene_)) turns.push_back({time, position});
+  }
+
+  const Scene& scene_;
+  std::optional<Wall> ahead_;
+  bool lost_ = false;  // whether the last stretch was a flight that led nowhere
+};
+
+TEST(Simulate, TellsTheTurningPointsThatStretchesShow) {
+  std::map<Fidelity, std::size_t> turns;
+  for (int i = 0; i < 2000; ++i) {
+    Scene scene = hostile_scene(11, i).scene;
+    scene.stiffness = 1e6 * scene.mass;
+    scene.across.emplace().pull = i % 7 - 3;
+    scene.across->start_velocity = 1;
+    for (const Fidelity level : {Fidelity::impact, Fidelity::compliant, Fidelity::planar}) {
+      scene.fidelity = level;
+      SCOPED_TRACE(i);
+      Turns observer(scene);
+      try {
+        simulate(scene, observer);
+      } catch (const std::runtime_error&) {  // too long
+        continue;
+      }
+      ASSERT_EQ(observer.told, observer.seen);
+      turns[level] += observer.told.size();
     }
   }
+  EXPECT_EQ(turns.size(), 3U);
+  for (const auto& [level, told] : turns) EXPECT_GT(told, 1000U);
+}
+
+/// Below, hops are shorter than a step of the brute force, and each side ends a Zeno sequence at
+/// its own speed.
+constexpr double slowest_compared = 1e-6;  // [m/s]
+
+/// How far the models and the brute force agree over many scenes.
+struct Agreement {
+  std::size_t listed = 0;           ///< impacts of the brute force
+  std::vector<double> time_errors;  ///< [s], of those compared
+  int certain = 0;                  ///< scenes whose count is certain
+
+  double median() {
+    std::sort(time_errors.begin(), time_errors.end());
+    return time_errors[time_errors.size() / 2];
+  }
+};
+
+/// Compares a scene with the brute force at two steps, one four times the other. Their difference
+/// is by theory fifteen times the error of the finer one, and serves as the bar; impacts count
+/// until it grows beyond 0.1 ms, where the path is lost.
+void compare(const Scene& scene, double step, Agreement& agreement) {
+  const Recording model = record(scene, 0.25, 0);
+  const BruteForce fine(scene, step);
+  const std::vector<Impact> reference = faster(fine.impacts, slowest_compared);
+  const std::vector<Impact> coarse = faster(BruteForce(scene, 4 * step).impacts, slowest_compared);
+  const std::vector<Impact> actual = faster(model.impacts, slowest_compared);
+  // The bars' floors are what the hops too slow to be followed may take.
+  double time_bar = 1e-8;
+  double speed_bar = 1e-8;
+  std::size_t k = 0;
+  for (; k < std::min(reference.size(), coarse.size()); ++k) {
+    const double difference = std::abs(reference[k].time - coarse[k].time);
+    if (reference[k].wall != coarse[k].wall || difference > 1e-4) break;
+    time_bar = std::max(time_bar, difference);
+    speed_bar = std::max(speed_bar, std::abs(reference[k].speed - coarse[k].speed));
+    ASSERT_LT(k, actual.size()) << "an impact is missing";
+    ASSERT_EQ(actual[k].wall, reference[k].wall) << "impact " << k;
+    ASSERT_NEAR(actual[k].time, reference[k].time, time_bar) << "impact " << k;
+    ASSERT_NEAR(actual[k].speed, reference[k].speed, speed_bar) << "impact " << k;
+    agreement.time_errors.push_back(std::abs(actual[k].time - reference[k].time));
+  }
+  if (k == reference.size() && k == coarse.size()) {
+    EXPECT_EQ(actual.size(), k) << "an impact too many";
+    EXPECT_NEAR(model.end.position, fine.position, 1e-6);
+  }
+  agreement.listed += reference.size();
+  if (!model.certainty.certain) return;
+  ++agreement.certain;
+  EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.counting_limit)));
+}
+
+TEST(BruteForce, FindsTheImpactsOfRandomScenes) {
+  RandomScenes scenes(1);
+  Agreement agreement;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(compare(scenes.next(), 1e-5, agreement));
+  }
+  EXPECT_GT(agreement.listed, 6000U);
+  EXPECT_GT(agreement.time_errors.size(), agreement.listed * 95 / 100);
+  EXPECT_GT(agreement.certain, 390);
+  EXPECT_LT(agreement.median(), 1e-9);
+}
+
+TEST(BruteForce, FindsTheImpactsOfEveryCase) {
+  Agreement agreement;
+  RandomScenes draws(2);
+  for (const Case& a_case : all_cases()) {
+    Scene scene = scene_of(a_case, exploratory_scene());
+    for (int i = 0; i < 8; ++i) {
+      scene.omega = draws.within(1.5, 18.0);
+      SCOPED_TRACE(a_case.id + " at " + std::to_string(scene.omega));
+      ASSERT_NO_FATAL_FAILURE(compare(scene, 4e-6, agreement));
+    }
+  }
+  EXPECT_GT(agreement.time_errors.size(), agreement.listed * 95 / 100);
+  EXPECT_GT(agreement.certain, 90);
+}
+
+TEST(BruteForce, ConvergesWithTheSquareOfItsStep) {
+  // What makes it a reference: the bars above rest on this order.
+  RandomScenes scenes(3);
+  double coarse = 0;
+  double fine = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Scene scene = with(scenes.next(), set::friction(0), set::restitution(0.5));
+    const double exact = record(scene, 0.25, 0).end.position;
+    coarse += std::abs(BruteForce(scene, 4e-4).position - exact);
+    fine += std::abs(BruteForce(scene, 1e-4).position - exact);
+  }
+  EXPECT_NEAR(std::log2(coarse / fine) / 2, 2.0, 0.5);
+}
+
+TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
+  RandomScenes scenes(41);
+  Agreement agreement;
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(compare(scenes.next_planar(), 1e-5, agreement));
+  }
+  EXPECT_GT(agreement.listed, 1000U);
+  EXPECT_GT(agreement.time_errors.size(), agreement.listed * 95 / 100);
+  EXPECT_GT(agreement.certain, 95);
 }
 
 }  // namespace

@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
-#include "problems/carrier_track/counting/recording.h"
+#include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -21,12 +23,7 @@ using Hit = Watched<double>::Hit;
 /// The same in x, but for the numbers' last `tolerance`.
 void expect_same(const Watched<double>& actual, const Watched<double>& expected,
                  double tolerance = 0) {
-  ASSERT_EQ(actual.hits.size(), expected.hits.size());
-  for (std::size_t k = 0; k < actual.hits.size(); ++k) {
-    ASSERT_NEAR(actual.hits[k].time, expected.hits[k].time, tolerance) << k;
-    ASSERT_NEAR(actual.hits[k].speed, expected.hits[k].speed, tolerance) << k;
-    ASSERT_EQ(actual.hits[k].wall, expected.hits[k].wall) << k;
-  }
+  expect_hits(actual.hits, expected.hits, tolerance, tolerance);
   ASSERT_EQ(actual.tops.size(), expected.tops.size());
   for (std::size_t k = 0; k < actual.tops.size(); ++k) {
     ASSERT_NEAR(actual.tops[k].time, expected.tops[k].time, tolerance) << k;
@@ -37,156 +34,89 @@ void expect_same(const Watched<double>& actual, const Watched<double>& expected,
   EXPECT_NEAR(actual.end.velocity, expected.end.velocity, tolerance);
 }
 
-Scene in_x_alone(Scene scene) {
-  scene.fidelity = Fidelity::impact;
-  return scene;
+Watched<double> watch_in_x_alone(const Scene& scene) {
+  return watch(with(scene, set::fidelity(Fidelity::impact)));
 }
 
 TEST(PlanarModel, WithoutFrictionMovesInXAsTheImpactModelBitForBit) {
-  RandomScenes scenes(51);
   std::size_t across = 0;
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
-    scene.friction = 0;
+  for_random(51, 300, [&](RandomScenes& draws) {
+    const Scene scene = with(draws.next_planar(), set::friction(0));
     const auto watched = watch(scene);
-    expect_same(watched, watch(in_x_alone(scene)));
+    expect_same(watched, watch_in_x_alone(scene));
     across += watched.across.size();
-  }
+  });
   EXPECT_GT(across, 3000U) << "y must be lively, to show that it does not matter";
 }
 
 TEST(PlanarModel, WithABodyHeldInYMovesInXAsTheImpactModelBitForBit) {
-  RandomScenes scenes(52);
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
-    scene.slider_mass_radius = 0;
-    scene.pull_rotates = false;
-    scene.across = Across<double>{};
-    scene.across->pull = 0.5 * scene.friction * scene.normal_force;
-    scene.disturbance_frequency = scenes.within(1, 30);
-    expect_same(watch(scene), watch(in_x_alone(scene)));
-  }
+  for_random(52, 300, [](RandomScenes& draws) {
+    Scene scene = with(draws.next_planar(), set::slider_mass_radius(0), set::pull_rotates(false),
+                       set::disturbance_frequency(draws.within(1, 30)));
+    scene.across = Across<double>{.pull = 0.5 * scene.friction * scene.normal_force};
+    expect_same(watch(scene), watch_in_x_alone(scene));
+  });
 }
 
 TEST(PlanarModel, AConstantPressOnTheWallAddsToTheNormalForce) {
-  RandomScenes scenes(53);
   std::size_t hits = 0;
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
-    scene.slider_mass_radius = 0;
-    scene.pull_rotates = false;
-    const bool upper = scenes.chance(0.5);
-    const double press = scenes.within(0.1, 2.0);
-    scene.across->wall_upper = scene.across->wall_lower + 1e-3;
-    scene.across->start_position = upper ? scene.across->wall_upper : scene.across->wall_lower;
-    scene.across->start_velocity = 0;
-    scene.across->pull = upper ? press : -press;
-    Scene pressed = in_x_alone(scene);
-    pressed.normal_force += press;
-    const auto expected = watch(pressed);
+  for_random(53, 300, [&](RandomScenes& draws) {
+    Scene scene = with(draws.next_planar(), set::slider_mass_radius(0), set::pull_rotates(false));
+    const bool upper = draws.chance(0.5);
+    const double press = draws.within(0.1, 2.0);
+    Across<double>& y = *scene.across;
+    y.wall_upper = y.wall_lower + 1e-3;
+    y.start_position = upper ? y.wall_upper : y.wall_lower;
+    y.start_velocity = 0;
+    y.pull = upper ? press : -press;
     const auto actual = watch(scene);
     EXPECT_TRUE(actual.across.empty());
-    hits += expected.hits.size();
-    expect_same(actual, expected, 1e-9);
-  }
+    scene.normal_force += press;
+    expect_same(actual, watch_in_x_alone(scene), 1e-9);
+    hits += actual.hits.size();
+  });
   EXPECT_GT(hits, 2000U);
-}
-
-TEST(PlanarModel, MovesTheSameInTwoDirectionsThatAreTheSame) {
-  RandomScenes scenes(56);
-  std::size_t hits = 0;
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
-    scene.pull_rotates = false;
-    scene.centrifugal_mass_radius = scene.slider_mass_radius = scene.disturbance = 0;
-    scene.across = Across<double>{-scene.pull,
-                                  scene.wall_lower,
-                                  scene.wall_upper,
-                                  scene.restitution_lower,
-                                  scene.restitution_upper,
-                                  scene.start_position,
-                                  scene.start_velocity};
-    const auto watched = watch(scene);
-    ASSERT_EQ(watched.hits.size(), watched.across.size());
-    for (std::size_t k = 0; k < watched.hits.size(); ++k) {
-      EXPECT_EQ(watched.hits[k].time, watched.across[k].time);
-      EXPECT_EQ(watched.hits[k].speed, watched.across[k].speed);
-      EXPECT_EQ(watched.hits[k].wall, watched.across[k].wall);
-    }
-    hits += watched.hits.size();
-  }
-  EXPECT_GT(hits, 2000U);
-}
-
-/// Impacts of at least a micrometre per second: a body that glides back onto its wall strikes it,
-/// or not, by rounding.
-std::vector<Hit> distinct(const std::vector<Hit>& hits) {
-  std::vector<Hit> result;
-  for (const Hit& hit : hits) {
-    if (hit.speed > 1e-6) result.push_back(hit);
-  }
-  return result;
-}
-
-void expect_first(const std::vector<Hit>& actual, const std::vector<Hit>& expected, bool mirrored) {
-  for (std::size_t k = 0; k < std::min<std::size_t>(12, expected.size()); ++k) {
-    ASSERT_LT(k, actual.size());
-    ASSERT_NEAR(actual[k].time, expected[k].time, 1e-8);
-    ASSERT_NEAR(actual[k].speed, expected[k].speed, 1e-8);
-    ASSERT_EQ(actual[k].wall != expected[k].wall, mirrored);
-  }
 }
 
 /// The directions exchanged: x is what y was, and y is what x was, seen in a mirror, for then the
 /// forces of the driver plate, -cos and sin, are those a quarter turn on.
 Scene exchanged(const Scene& scene) {
-  Scene result = scene;
   const Across<double>& y = *scene.across;
-  result.phase = scene.phase + pi / 2;
-  if (!scene.pull_rotates) result.pull = -y.pull;
-  result.wall_lower = y.wall_lower;
-  result.wall_upper = y.wall_upper;
-  result.restitution_lower = y.restitution_lower;
-  result.restitution_upper = y.restitution_upper;
-  result.start_position = y.start_position;
-  result.start_velocity = y.start_velocity;
-  result.across = Across<double>{scene.pull_rotates ? 0 : scene.pull,
-                                 -scene.wall_upper,
-                                 -scene.wall_lower,
-                                 scene.restitution_upper,
-                                 scene.restitution_lower,
-                                 -scene.start_position,
-                                 -scene.start_velocity};
-  return result;
+  return with(
+      scene, set::phase(scene.phase + pi / 2), set::pull(scene.pull_rotates ? scene.pull : -y.pull),
+      set::walls(y.wall_lower, y.wall_upper), set::restitution_lower(y.restitution_lower),
+      set::restitution_upper(y.restitution_upper), set::start(y.start_position, y.start_velocity),
+      set::across(Across<double>{scene.pull_rotates ? 0 : scene.pull, -scene.wall_upper,
+                                 -scene.wall_lower, scene.restitution_upper,
+                                 scene.restitution_lower, -scene.start_position,
+                                 -scene.start_velocity}));
 }
 
 TEST(PlanarModel, ExchangingTheDirectionsExchangesTheMotion) {
-  RandomScenes scenes(57);
+  const auto expect_first = [](std::vector<Hit> actual, std::vector<Hit> expected, bool mirrored) {
+    actual = distinct(actual);
+    expected = distinct(expected);
+    // Rounding alone tells them apart, and impacts make it grow.
+    expected.resize(std::min<std::size_t>(12, expected.size()));
+    actual.resize(std::min(actual.size(), expected.size()));
+    expect_hits(actual, expected, 1e-8, 1e-8, mirrored);
+  };
   std::size_t hits = 0;
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
-    scene.centrifugal_mass_radius = scene.disturbance = 0;
+  for_random(57, 300, [&](RandomScenes& draws) {
+    Scene scene = with(draws.next_planar(), set::centrifugal_mass_radius(0), set::disturbance(0));
     scene.wall_upper = std::min(scene.wall_upper, scene.wall_lower + 5e-3);
     const auto one = watch(scene);
     const auto other = watch(exchanged(scene));
-    // Rounding alone tells them apart, and impacts make it grow.
-    expect_first(distinct(other.across), distinct(one.hits), true);
-    expect_first(distinct(other.hits), distinct(one.across), false);
+    expect_first(other.across, one.hits, true);
+    expect_first(other.hits, one.across, false);
     hits += one.hits.size();
-  }
+  });
   EXPECT_GT(hits, 1000U);
 }
 
 TEST(PlanarModel, TellsStretchesOfXThatFollowOnEachOther) {
-  RandomScenes scenes(58);
-  for (int i = 0; i < 300; ++i) {
-    SCOPED_TRACE(i);
-    const Scene scene = scenes.next_planar();
+  for_random(58, 300, [](RandomScenes& draws) {
+    const Scene scene = draws.next_planar();
     const auto watched = watch(scene);
     double time = 0;
     Motion<double> last{scene.start_position, scene.start_velocity, 0};
@@ -194,9 +124,8 @@ TEST(PlanarModel, TellsStretchesOfXThatFollowOnEachOther) {
       ASSERT_NEAR(stretch.time, time, 1e-14);
       ASSERT_NEAR(stretch.flight.position, last.position, 1e-13);
       const auto struck = [&](const Hit& hit) { return hit.time == stretch.time; };
-      const bool strikes = std::any_of(watched.hits.begin(), watched.hits.end(), struck) ||
-                           std::any_of(watched.across.begin(), watched.across.end(), struck);
-      if (!strikes) {
+      if (std::ranges::none_of(watched.hits, struck) &&
+          std::ranges::none_of(watched.across, struck)) {
         ASSERT_NEAR(stretch.flight.velocity, last.velocity, 1e-14);
       }
       ASSERT_LE(std::abs(stretch.flight.velocity), std::abs(last.velocity) + 1e-14);
@@ -207,51 +136,34 @@ TEST(PlanarModel, TellsStretchesOfXThatFollowOnEachOther) {
     }
     EXPECT_NEAR(time, watched.end.time, 1e-14);
     EXPECT_NEAR(last.position, watched.end.position, 1e-13);
-  }
+  });
 }
 
 TEST(PlanarModel, UnderAProfileOfOneKnotMovesAsAtAConstantSpeed) {
-  RandomScenes scenes(9);
   int compared = 0;
-  for (int i = 0; i < 200; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = scenes.next_planar();
+  for_random(9, 200, [&](RandomScenes& draws) {
+    Scene scene = draws.next_planar();
     const auto steady = watch(scene);
-    Scene near = scene;
-    near.mass *= 1 + 1e-13;
-    const auto other = watch(near);
-    const bool tame = other.hits.size() == steady.hits.size() &&
-                      std::abs(other.end.position - steady.end.position) < 1e-11;
-    if (!tame) continue;
-    scene.profile = {{scenes.within(0, 1), scene.omega}};
+    const auto near = watch(with(scene, set::mass(scene.mass * (1 + 1e-13))));
+    const bool tame = near.hits.size() == steady.hits.size() &&
+                      std::abs(near.end.position - steady.end.position) < 1e-11;
+    if (!tame) return;
+    scene.profile = {{draws.within(0, 1), scene.omega}};
     const auto profiled = watch(scene);
-    ASSERT_EQ(profiled.hits.size(), steady.hits.size());
-    for (std::size_t k = 0; k < steady.hits.size(); ++k) {
-      EXPECT_NEAR(profiled.hits[k].time, steady.hits[k].time, 1e-8);
-    }
+    expect_hits(profiled.hits, steady.hits, 1e-8, 1e-8);
     EXPECT_NEAR(profiled.end.position, steady.end.position, 1e-8);
     ++compared;
-  }
+  });
   EXPECT_GT(compared, 130);
 }
 
 TEST(PlanarModel, ASpinUpThrowsTheBodyAcrossByTheSlidersInertia) {
   // y'' = -s (omega' cos alpha - omega^2 sin alpha) / m is the second derivative of -s sin(alpha) /
   // m.
-  Scene scene;
-  scene.mass = 1.3;
-  scene.slider_mass_radius = 0.4;
-  scene.phase = 0.7;
-  scene.profile = {{0.1, 1.0}, {2.1, 9.0}};
-  scene.window = Seconds{2.1};
-  scene.fidelity = Fidelity::planar;
-  scene.wall_lower = -100;
-  scene.wall_upper = 100;
-  scene.across = Across<double>{};
-  scene.across->wall_lower = -100;
-  scene.across->wall_upper = 0.8;
-  scene.across->start_position = 0.5;
-  const auto watched = watch(scene);
+  const auto watched = watch(
+      with(Scene{}, set::mass(1.3), set::slider_mass_radius(0.4), set::phase(0.7),
+           set::profile(std::vector<SpeedKnot<double>>{{0.1, 1.0}, {2.1, 9.0}}), set::seconds(2.1),
+           set::walls(-100, 100), set::planar({.wall_lower = -100, .wall_upper = 0.8})));
   ASSERT_GE(watched.across.size(), 1U);
   const double t = watched.across[0].time;
   const double share = 0.4 / 1.3;
@@ -260,6 +172,145 @@ TEST(PlanarModel, ASpinUpThrowsTheBodyAcrossByTheSlidersInertia) {
   const double y = 0.5 - share * (std::sin(alpha) - std::sin(0.7)) + share * std::cos(0.7) * t;
   EXPECT_NEAR(y, 0.8, 1e-13);
   EXPECT_GT(t, 0.1);
+}
+
+/// Far from the walls of x, pressed to the upper wall of y for good, under a slider force that acts
+/// on both.
+Scene pressed_by_a_turning_force() {
+  return with(Scene{}, set::mass(0.8), set::walls(-100, infinity), set::start_position(0),
+              set::friction(0.3), set::normal_force(0.2), set::omega(3),
+              set::slider_mass_radius(0.1), set::planar({.pull = 1.5, .start_position = 1}));
+}
+
+TEST(PlanarFriction, ABodyHeldByAVaryingPressSlipsWhereTheForceLeavesItsBand) {
+  // With S = slider_mass_radius omega^2, the force is -S cos a, the press P + S sin a. It slips up
+  // where -S (cos a + mu sin a) = mu (N + P), down where -S (cos a - mu sin a) = -mu (N + P).
+  const double mu = 0.3;
+  const double limit = mu * (0.2 + 1.5) / (0.9 * std::hypot(1, mu));
+  const double up = std::acos(-limit) + std::atan(mu);
+  const double down = 2 * pi - std::acos(limit) - std::atan(mu);
+  for (const bool rises : {true, false}) {
+    const double phase = rises ? pi / 2 : 4.6;  // held at the start
+    const auto stretches =
+        watch(with(pressed_by_a_turning_force(), set::phase(phase), set::seconds(1.2))).stretches;
+    ASSERT_GE(stretches.size(), 2U);
+    EXPECT_NEAR(stretches[1].time, ((rises ? up : down) - phase) / 3, 1e-12);
+    EXPECT_EQ(stretches[0].flight.velocity, 0.0);
+    EXPECT_EQ(stretches[1].flight.at(1e-3).velocity > 0, rises);
+  }
+}
+
+TEST(PlanarFriction, TheDisturbanceOfAPressSlowsTheOtherDirection) {
+  // x is pressed by P - D cos(w t), which slows y by mu (N + P - D cos(w t)) / m.
+  const auto watched =
+      watch(with(pressed_by_a_turning_force(), set::slider_mass_radius(0), set::wall_lower(0),
+                 set::pull(2), set::disturbance(1.1), set::disturbance_frequency(5),
+                 set::planar({.start_position = 0, .start_velocity = 2})));
+  ASSERT_GE(watched.across.size(), 1U);
+  const double t = watched.across[0].time;
+  const double share = 0.3 / 0.8;
+  EXPECT_NEAR(2 * t - share * (2.2 * t * t / 2 - 1.1 * (1 - std::cos(5 * t)) / 25), 1, 1e-14);
+  EXPECT_NEAR(watched.across[0].speed, 2 - share * (2.2 * t - 1.1 * std::sin(5 * t) / 5), 1e-14);
+  EXPECT_EQ(watched.end.position, 0);
+}
+
+/// A free body that loses speed along the walls by their friction alone: straight lines between the
+/// walls of the unit square. [0] is x.
+struct Billiard {
+  struct Side {
+    double restitution_lower, restitution_upper, position, velocity;
+  };
+  std::array<Side, 2> sides;
+  double friction;
+  std::array<std::vector<Hit>, 2> hits{};
+
+  void play(double end) {
+    for (double time = 0;;) {
+      std::array<double, 2> left{};
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Side& s = sides[i];
+        left[i] = s.velocity == 0 ? infinity : ((s.velocity > 0) - s.position) / s.velocity;
+      }
+      const std::size_t i = left[0] < left[1] ? 0 : 1;
+      if (time + left[i] > end) return;
+      time += left[i];
+      Side& struck = sides[i];
+      Side& other = sides[1 - i];
+      other.position += other.velocity * left[i];
+      const bool up = struck.velocity > 0;
+      const double speed = std::abs(struck.velocity);
+      hits[i].push_back({time, up ? Wall::upper : Wall::lower, speed});
+      struck.position = up;
+      const double e = up ? struck.restitution_upper : struck.restitution_lower;
+      struck.velocity *= -e;
+      const double taken = std::min(std::abs(other.velocity), friction * (1 + e) * speed);
+      other.velocity -= std::copysign(taken, other.velocity);
+    }
+  }
+};
+
+TEST(PlanarFriction, AFreeBodyLosesItsSpeedToTheWallsAsInABilliard) {
+  std::size_t hits = 0;
+  int stopped = 0;
+  for_random(55, 300, [&](RandomScenes& draws) {
+    const auto drawn = [&] {
+      return Billiard::Side{draws.within(0.2, 1), draws.within(0.2, 1), draws.within(0.1, 0.9),
+                            draws.within(-2, 2)};
+    };
+    Billiard billiard{{drawn(), drawn()}, draws.within(0, 0.1)};
+    const auto& [x, y] = billiard.sides;
+    const Scene scene = with(Scene{}, set::restitution_lower(x.restitution_lower),
+                             set::restitution_upper(x.restitution_upper),
+                             set::start(x.position, x.velocity), set::friction(billiard.friction),
+                             set::planar({.restitution_lower = y.restitution_lower,
+                                          .restitution_upper = y.restitution_upper,
+                                          .start_position = y.position,
+                                          .start_velocity = y.velocity}),
+                             set::seconds(5));
+    billiard.play(5);
+    const auto watched = watch(scene);
+    expect_hits(watched.hits, billiard.hits[0], 1e-11, 1e-11);
+    expect_hits(watched.across, billiard.hits[1], 1e-11, 1e-11);
+    hits += watched.hits.size();
+    stopped += x.velocity == 0 || y.velocity == 0;
+  });
+  EXPECT_GT(hits, 600U);
+  EXPECT_GT(stopped, 10) << "an impulse takes no more than all speed";
+}
+
+/// A direction 1 m wide with friction of half the press in the other.
+PlanarAxis<> axis_of(const Scene& scene) {
+  return PlanarAxis<>(AppliedForces<double>(scene), {0, 1, 0.5, 0.5, scene.start_position, 0},
+                      {0.5, 0}, 10.0, resting_speed);
+}
+
+TEST(PlanarAxis, AnImpulseDoesNotMoveItFromRest) {
+  Observer nobody;
+  PlanarAxis<> axis = axis_of(Scene{});
+  axis.go_on(0, axis_of(Scene{}), nobody);
+  axis.apply_friction_impulse(0.5, 3.0, nobody);
+  EXPECT_FALSE(axis.go_on(0.5, axis_of(Scene{}), nobody));
+  EXPECT_EQ(axis.next(), infinity);
+}
+
+TEST(PlanarAxis, IsHeldWhereForceAndFrictionBalanceButForRounding) {
+  // A press of 0.1 i - 0.1 k gives friction of half that, which the pull equals in decimals.
+  Observer nobody;
+  for (int i = 2; i < 30; ++i) {
+    for (int k = 1; k < i; ++k) {
+      for (const double mass : {1.0, 1.2, 3.0}) {
+        const Scene scene =
+            with(Scene{}, set::mass(mass), set::omega(0), set::pull(0.05 * (i - k)));
+        PlanarAxis<> other =
+            axis_of(with(scene, set::disturbance_frequency(0), set::start_position(1),
+                         set::pull(-0.1 * i), set::disturbance(-0.1 * k)));
+        PlanarAxis<> axis = axis_of(scene);
+        other.go_on(0, axis, nobody);
+        axis.go_on(0, other, nobody);
+        EXPECT_EQ(axis.finish(nobody).velocity, 0);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/motion/simulate.h"
 #include "ricochet/machine.h"
@@ -58,6 +63,42 @@ Watched<Scalar> watch(const BasicScene<Scalar>& scene) {
     watched.end = simulate(scene, watched);
   }
   return watched;
+}
+
+/// Expects the value to be the other one but for this share of it.
+inline void expect_close(double actual, double expected, double relative = 1e-12) {
+  EXPECT_NEAR(actual, expected, relative * std::abs(expected));
+}
+
+/// Expects the same impacts, of any type with time, wall and speed, but for these tolerances;
+/// `mirrored`: at the other wall each.
+template <class Hits, class OtherHits>
+void expect_hits(const Hits& actual, const OtherHits& expected, double time_tolerance,
+                 double speed_tolerance, bool mirrored = false) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t k = 0; k < actual.size(); ++k) {
+    ASSERT_EQ(actual[k].wall != expected[k].wall, mirrored) << "impact " << k;
+    ASSERT_NEAR(actual[k].time, expected[k].time, time_tolerance) << "impact " << k;
+    ASSERT_NEAR(actual[k].speed, expected[k].speed, speed_tolerance) << "impact " << k;
+  }
+}
+
+/// Calls `look` with the draws of a seed time and again, until an assertion fails.
+template <class Look>
+void for_random(std::uint64_t seed, int trials, const Look& look) {
+  RandomScenes draws(seed);
+  for (int i = 0; i < trials && !testing::Test::HasFatalFailure(); ++i) {
+    SCOPED_TRACE(i);
+    look(draws);
+  }
+}
+
+/// Without those so slow that a body which glides back onto its wall strikes it, or not, by
+/// rounding.
+template <class Hits>
+Hits distinct(Hits hits) {
+  std::erase_if(hits, [](const auto& hit) { return !(hit.speed > 1e-6); });
+  return hits;
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,32 +1,30 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/identification/knock_record.h"
-#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
-#include "ricochet/machine.h"
+#include "src/core/files.h"
 #include "src/report/json.h"
 #include "tests/carrier_track/identification/synthetic_knocks.h"
-#include "tests/carrier_track/regimes/long_simulation.h"
+#include "tests/carrier_track/regimes/machines.h"
 
 /// Whether commands answer in time, and rightly, about the strange machines FIRST to LAST:
 ///
@@ -47,19 +45,17 @@ namespace {
 namespace fs = std::filesystem;
 using report::Json;
 
-constexpr double late = 1;                // [s], after the limit
-constexpr double silent = 2;              // [s], without a line on standard error
-constexpr double slowest = 0.01;          // [rad/s]
-constexpr double fastest = 18;            // [rad/s]
-constexpr double to_compare = 4;          // [s], for the simulations at one speed
-constexpr std::size_t most_regimes = 12;  // that are compared, of one machine
+constexpr double late = 1;                      // [s], after the limit
+constexpr double silent = 2;                    // [s], without a line on standard error
+constexpr double slowest = 0.01, fastest = 18;  // [rad/s]
+constexpr double to_compare = 4;                // [s], for the simulations at one speed
+constexpr std::size_t most_regimes = 12;        // that are compared, of one machine
 
 /// How a call went.
 struct Call {
   int code = -1;  ///< exit code; -1: ended by a signal
   double seconds = 0;
   double processor = 0;  ///< [s], of all its threads
-  double megabytes = 0;
   std::string output, messages;
 };
 
@@ -68,35 +64,26 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-Call called(const std::vector<std::string>& arguments, const fs::path& folder) {
-  const fs::path output = folder / "output", messages = folder / "messages";
-  std::vector<char*> pointers;
-  for (const std::string& each : arguments) pointers.push_back(const_cast<char*>(each.c_str()));
-  pointers.push_back(nullptr);
-  const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    const auto write_to = [](const fs::path& file, int descriptor) {
-      dup2(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), descriptor);
-    };
-    write_to(output, STDOUT_FILENO);
-    write_to(messages, STDERR_FILENO);
-    execv(pointers[0], pointers.data());
-    _exit(126);
-  }
-  int status = 0;
+/// Of all calls so far: processor time [s], and the most memory of one [MB].
+std::pair<double, double> used_by_calls() {
   rusage used{};
-  wait4(child, &status, 0, &used);
-  const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
+  getrusage(RUSAGE_CHILDREN, &used);
   const auto seconds_of = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-          lasted.count(),
-          seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
-          static_cast<double>(used.ru_maxrss) / 1024,
-          text_of(output),
-          text_of(messages)};
+  return {seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
+          static_cast<double>(used.ru_maxrss) / 1024};
+}
+
+Call called(const std::string& command, const fs::path& folder) {
+  const fs::path output = folder / "output", messages = folder / "messages";
+  const auto start = std::chrono::steady_clock::now();
+  const double before = used_by_calls().first;
+  const int status = std::system(
+      fmt::format("exec {} >'{}' 2>'{}'", command, output.string(), messages.string()).c_str());
+  const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lasted.count(),
+          used_by_calls().first - before, text_of(output), text_of(messages)};
 }
 
 struct Range {
@@ -104,76 +91,34 @@ struct Range {
 };
 
 /// The fewest and the most collisions in a turn of a disturbed machine, after so many turns.
-Range counted_at_phases(Scene scene, double omega, int settling) {
-  constexpr int phases = 150;
-  constexpr int observed = 8;
-  scene = at_speed(scene, omega);
-  scene.fidelity = Fidelity::impact;
+Range counted_at_phases(const Scene& machine, double omega, int settling) {
+  Scene scene = with(at_speed(machine, omega), set::fidelity(Fidelity::impact));
   begin_turns_at_rest(scene);
-  std::vector<double> even;
-  for (int k = 0; k < phases; ++k)
-    even.push_back(scene.disturbance_phase + 2 * std::numbers::pi * k / phases);
-  Range range{1e300, -1};
-  for (const ObservedTurn& turn : observed_turns(scene, even, settling, observed)) {
-    range = {std::min<double>(range.least, turn.collisions),
-             std::max<double>(range.most, turn.collisions)};
-  }
-  return range;
+  std::vector<double> phases = even_phases(150);
+  for (double& phase : phases) phase += scene.disturbance_phase;
+  const auto turns = observed_turns(scene, phases, settling, 8);
+  const auto [least, most] = std::ranges::minmax(turns, {}, &ObservedTurn::collisions);
+  return {static_cast<double>(least.collisions), static_cast<double>(most.collisions)};
 }
 
-/// A regime as a command printed it.
-struct PrintedRegime {
-  double from, to, least, most, memory;
-  int turns;
-  bool certain;
-  std::string ends_by;
-};
-
-std::vector<PrintedRegime> regimes_in(const Json& rows) {
-  std::vector<PrintedRegime> all;
-  for (const Json& row : rows) {
-    all.push_back({row["from"], row["to"], row["least_per_turn"], row["most_per_turn"],
-                   row["memory"].is_null() ? 0 : row["memory"].get<double>(), row["turns"],
-                   row["certain"], row["ends_by"]});
-  }
-  return all;
+/// What a machine whose motions repeat counts: as printed if it does so from its own start, or,
+/// since several motions may be possible, on the motion that it is on if its speed rises slowly.
+double counted_in_periods(const Scene& machine, double omega, int turns, double printed) {
+  const Scene scene = with(machine, set::fidelity(Fidelity::impact));
+  const int periods = turns * std::max(1, 40 / turns);
+  double counted = 0;
+  const auto agrees = [&](const Scene& start, int settling) {
+    counted = collisions_in_the_long_run(start, omega, settling + periods, periods);
+    return std::abs(counted - printed) < 1e-9 * (1 + counted);
+  };
+  if (agrees(scene, 100) || agrees(scene, 2000)) return printed;
+  const std::vector<Regime> all = regimes_of(scene, {slowest, omega * (1 + 1e-9)});
+  if (all.back().ends_by == RegimeEnd::time_limit) throw TimeLimitReached();
+  const Regime& here = regime_at(all, std::min(omega, all.back().to));
+  // Next to a wall even a small step of the speed may lead to another motion.
+  const bool found = agrees(brought(here.first.orbit, omega), 300) || agrees(here.last.orbit, 300);
+  return found ? printed : counted;
 }
-
-/// The counts of a machine whose motions repeat: from its own start, and, if these are not as
-/// printed, since several motions may be possible, on the motion that it is on if its speed rises
-/// slowly.
-class UndisturbedCounts {
- public:
-  UndisturbedCounts(const Scene& scene, const PrintedRegime& regime)
-      : scene_(scene), regime_(regime) {
-    scene_.fidelity = Fidelity::impact;
-  }
-
-  bool agree(double omega, double& counted) {
-    const int periods = regime_.turns * std::max(1, 40 / regime_.turns);
-    for (const int settling : {100, 2000}) {
-      counted = collisions_in_the_long_run(scene_, omega, settling + periods, periods);
-      if (is_printed(counted)) return true;
-    }
-    const std::vector<Regime> all = regimes_of(scene_, {slowest, omega * (1 + 1e-9)});
-    if (all.back().ends_by == RegimeEnd::time_limit) throw TimeLimitReached();
-    const Regime& here = regime_at(all, std::min(omega, all.back().to));
-    // Next to a wall even a small step of the speed may lead to another motion.
-    for (const Scene& start : {brought(here.first.orbit, omega), here.last.orbit}) {
-      counted = collisions_in_the_long_run(start, omega, 300 + periods, periods);
-      if (is_printed(counted)) return true;
-    }
-    return false;
-  }
-
- private:
-  bool is_printed(double counted) const {
-    return std::abs(counted - regime_.most) < 1e-9 * (1 + counted);
-  }
-
-  Scene scene_;
-  const PrintedRegime& regime_;
-};
 
 class Check {
  public:
@@ -185,7 +130,7 @@ class Check {
     scene_ = strange_machine(seed);
     check(scene_, fmt::format("machine {}", seed));
     file_ = folder_ / fmt::format("machine-{}.toml", seed);
-    std::ofstream(file_) << write_scene(scene_);
+    write_text_file(file_, write_scene(scene_));
     first_loud_.reset();
     for (const std::string& command : commands) {
       if (command == "threshold") threshold();
@@ -200,10 +145,11 @@ class Check {
     for (const auto& [command, tally] : tallies_) {
       fmt::print(
           "{}: {} answered, {} at the limit or not certain, {} refused, {} otherwise; longest "
-          "{:.2f} s (machine {}), most memory {:.0f} MB (machine {}); {} late, {} silent\n",
-          command, tally.codes[0], tally.codes[1], tally.codes[2], tally.codes[3], tally.longest,
-          tally.longest_of, tally.megabytes, tally.megabytes_of, tally.late, tally.silent);
+          "{:.2f} s (machine {}); {} late, {} silent\n",
+          command, tally.codes[0], tally.codes[1], tally.codes[2], tally.codes[3],
+          tally.longest.first, tally.longest.second, tally.late, tally.silent);
     }
+    fmt::print("most memory of a call {:.0f} MB\n", used_by_calls().second);
     fmt::print("{} speeds compared, {} without a result in time, {} wrong; {} other faults\n",
                compared_, undecided_, wrong_, faults_);
     return wrong_ + faults_;
@@ -212,8 +158,7 @@ class Check {
  private:
   struct Tally {
     int codes[4] = {};
-    double longest = 0, megabytes = 0;
-    std::uint64_t longest_of = 0, megabytes_of = 0;
+    std::pair<double, std::uint64_t> longest;  // [s], and the machine
     int late = 0, silent = 0;
   };
 
@@ -224,23 +169,15 @@ class Check {
     fmt::print("machine {}: {}: {}\n", seed_, command, fmt::format(what, values...));
   }
 
-  Call call(const char* command, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), program_);
-    arguments.insert(arguments.end(), {"--seconds", fmt::format("{}", seconds_)});
-    Call result = called(arguments, folder_);
+  Call call(const char* command, const std::string& arguments, bool may_refuse) {
+    const std::string line = fmt::format("'{}' {} --seconds {}", program_, arguments, seconds_);
+    Call result = called(line, folder_);
     // Another program may have had the processors meanwhile.
-    if (result.seconds > seconds_ + late) result = called(arguments, folder_);
+    if (result.seconds > seconds_ + late) result = called(line, folder_);
     Tally& tally = tallies_[command];
     const bool usual = result.code >= 0 && result.code <= 2;
     ++tally.codes[usual ? result.code : 3];
-    if (result.seconds > tally.longest) {
-      tally.longest = result.seconds;
-      tally.longest_of = seed_;
-    }
-    if (result.megabytes > tally.megabytes) {
-      tally.megabytes = result.megabytes;
-      tally.megabytes_of = seed_;
-    }
+    tally.longest = std::max(tally.longest, {result.seconds, seed_});
     if (!usual) fault(command, "exit code {}: {}", result.code, result.messages);
     if (result.seconds > seconds_ + late) {
       ++tally.late;
@@ -250,40 +187,45 @@ class Check {
       ++tally.silent;
       fault(command, "silent for {:.2f} s", result.seconds);
     }
-    const auto says = [](const std::string& text, const char* what) {
-      return text.find(what) != std::string::npos;
-    };
     // A fit from a file that is wrong by so much may fail, and says so.
-    if (result.code == 1 && !says(result.messages, "--seconds") &&
-        !says(result.output, "The record contradicts") &&
-        !says(result.output, "has not converged")) {
-      fault(command, "failed: {}", result.messages);
-    }
-    if (result.code == 2 && has_regimes(scene_)) fault(command, "refused: {}", result.messages);
+    const bool excused = result.messages.find("--seconds") != std::string::npos ||
+                         result.output.find("The record contradicts") != std::string::npos ||
+                         result.output.find("has not converged") != std::string::npos;
+    if (result.code == 1 && !excused) fault(command, "failed: {}", result.messages);
+    if (result.code == 2 && !may_refuse) fault(command, "refused: {}", result.messages);
     return result;
   }
 
+  /// A call about the machine that prints JSON; nothing if it has no answer.
+  std::optional<Json> answer_of(const char* command, bool may_refuse, int& code) {
+    const Call result = call(
+        command, fmt::format("{} --format json --scene '{}'", command, file_.string()), may_refuse);
+    code = result.code;
+    if (result.output.empty() || code > 1) return {};
+    return Json::parse(result.output);
+  }
+
   void threshold() {
-    const Call result =
-        call("threshold", {"threshold", "--format", "json", "--scene", file_.string()});
-    if (result.output.empty() || result.code > 1) return;
-    const Json answer = Json::parse(result.output);
+    int code = 0;
+    const auto printed = answer_of("threshold", !has_regimes(scene_), code);
+    if (!printed) return;
+    const Json& answer = *printed;
     const bool complete = answer["complete"];
-    if (complete != (result.code == 0)) fault("threshold", "exit code {}", result.code);
+    if (complete != (code == 0)) fault("threshold", "exit code {}", code);
     const Json& quiet = answer["fastest_quiet"];
     if (quiet.is_null() && answer["reason"].is_null()) fault("threshold", "no reason");
     if (!has_regimes(scene_)) return;
     if (quiet.is_number() && !(quiet >= slowest && quiet <= fastest)) {
       fault("threshold", "quiet up to {} rad/s", quiet.get<double>());
     }
-    const std::vector<PrintedRegime> all = regimes_in(answer["regimes"]);
+    const Json& all = answer["regimes"];
     compare("threshold", all);
-    const auto louder = std::find_if(all.begin(), all.end(), [](const PrintedRegime& each) {
-      return each.most > quiet_per_turn;
-    });
+    const auto louder = std::ranges::find_if(
+        all, [](const Json& each) { return each["most_per_turn"] > quiet_per_turn; });
     const Json& loud = answer["first_loud"];
     if (loud.is_number() != (louder != all.end()) ||
-        (loud.is_number() && std::abs(loud.get<double>() / louder->from - 1) > 1e-6)) {
+        (loud.is_number() &&
+         std::abs(loud.get<double>() / (*louder)["from"].get<double>() - 1) > 1e-6)) {
       fault("threshold", "first loud {}, but not by its regimes", loud.dump());
     }
     if (quiet.is_number() && loud.is_number() &&
@@ -295,19 +237,20 @@ class Check {
 
   void regimes() {
     if (!has_regimes(scene_)) return;
-    const Call result = call("regimes", {"regimes", "--format", "json", "--scene", file_.string()});
-    if (result.output.empty() || result.code > 1) return;
-    const std::vector<PrintedRegime> all = regimes_in(Json::parse(result.output));
-    const bool complete =
-        !all.empty() && all.back().to == fastest && all.back().ends_by != "time-limit";
-    if (complete != (result.code == 0)) fault("regimes", "exit code {}", result.code);
-    if (!first_loud_) compare("regimes", all);
+    int code = 0;
+    const auto answer = answer_of("regimes", false, code);
+    if (!answer) return;
+    const bool complete = !answer->empty() && answer->back()["to"] == fastest &&
+                          answer->back()["ends_by"] != "time-limit";
+    if (complete != (code == 0)) fault("regimes", "exit code {}", code);
+    if (!first_loud_) compare("regimes", *answer);
   }
 
   void advise() {
     const fs::path page = folder_ / "page";
     const Call result =
-        call("advise", {"machine", "advise", file_.string(), "--out", page.string()});
+        call("advise", fmt::format("machine advise '{}' --out '{}'", file_.string(), page.string()),
+             !has_regimes(scene_));
     if (result.code == 0 && first_loud_) {
       const Json data = Json::parse(text_of(page / "data.json"))["values"];
       const Json& quiet = data["fastest-quiet"];
@@ -321,12 +264,9 @@ class Check {
   /// A record of a machine like this one, and a file with a guess.
   void identify() {
     MachineDraw draw(seed_ + 9'000'000);
-    Scene truth = scene_;
-    truth.fidelity = Fidelity::impact;
-    truth.rule = CountRule::impacts;
-    truth.disturbance = 0;
-    truth.centrifugal = Centrifugal::projected;
-    truth.restitution_upper = truth.restitution_lower;
+    Scene truth = with(scene_, set::fidelity(Fidelity::impact), set::rule(CountRule::impacts),
+                       set::disturbance(0), set::centrifugal(Centrifugal::projected),
+                       set::restitution(scene_.restitution_lower));
     if (!std::isfinite(truth.wall_upper)) truth.wall_upper = truth.start_position + 1e-3;
     if (truth.friction == 0) truth.friction = 0.1;
     truth.friction = std::min(truth.friction, 0.9);
@@ -345,61 +285,54 @@ class Check {
     } catch (const std::exception&) {
       return;  // too many impacts
     }
-    const fs::path knocks = folder_ / fmt::format("knocks-{}.csv", seed_);
-    const fs::path speeds = folder_ / fmt::format("speed-{}.csv", seed_);
-    const fs::path guess = folder_ / fmt::format("guess-{}.toml", seed_);
-    std::ofstream rows(knocks);
-    rows << (sensor.strengths ? "time,strength\n" : "time\n");
+    const auto file = [&](const char* name) {
+      return (folder_ / fmt::format("{}-{}", seed_, name)).string();
+    };
+    const std::string knocks = file("knocks.csv"), speeds = file("speed.csv");
+    const std::string guess = file("guess.toml"), marks = file("marks.csv");
+    std::string rows = sensor.strengths ? "time,strength\n" : "time\n";
     for (const Knock& knock : record.knocks) {
-      rows << fmt::format("{:.6f}", knock.time);
-      if (knock.strength) rows << fmt::format(",{:.6g}", *knock.strength);
-      rows << "\n";
+      rows += fmt::format("{:.6f}", knock.time);
+      rows += knock.strength ? fmt::format(",{:.6g}\n", *knock.strength) : "\n";
     }
-    rows.close();
-    std::ofstream(speeds) << fmt::format("time,omega\n0,{}\n60,{}\n", speed[0].omega,
-                                         speed[1].omega);
+    write_text_file(knocks, rows);
+    write_text_file(speeds,
+                    fmt::format("time,omega\n0,{}\n60,{}\n", speed[0].omega, speed[1].omega));
     truth.restitution_lower = std::min(1.0, truth.restitution_lower * draw.even(0.7, 1.3));
     truth.restitution_upper = truth.restitution_lower;
     truth.friction *= draw.even(0.8, 1.2);
     truth.wall_upper *= draw.even(0.7, 1.3);
     truth.start_position = std::min(truth.start_position, truth.wall_upper);
-    std::ofstream(guess) << write_scene(truth);
-    std::vector<std::string> arguments = {"identify", knocks.string(), "--scene",  guess.string(),
-                                          "--speed",  speeds.string(), "--format", "json"};
+    write_text_file(guess, write_scene(truth));
+    std::string arguments =
+        fmt::format("identify '{}' --scene '{}' --speed '{}' --format json", knocks, guess, speeds);
     if (record.plate) {
-      const fs::path marks = folder_ / fmt::format("marks-{}.csv", seed_);
-      std::ofstream times(marks);
-      times << "time\n";
+      rows = "time\n";
       for (const double time : mark_times(scene_, record, *sensor.mark_jitter, random)) {
-        times << fmt::format("{:.6f}\n", time);
+        rows += fmt::format("{:.6f}\n", time);
       }
-      arguments.insert(arguments.end(), {"--marks", marks.string()});
+      write_text_file(marks, rows);
+      arguments += fmt::format(" --marks '{}'", marks);
     }
-    identified(arguments);
-  }
-
-  void identified(const std::vector<std::string>& arguments) {
-    const bool had_regimes = has_regimes(scene_);
-    scene_.rule = CountRule::peaks;  // a record may be refused: it may have no knocks
-    const Call result = call("identify", arguments);
-    scene_ = had_regimes ? strange_machine(seed_) : scene_;
-    if (result.output.empty() || result.code > 1) return;
+    const Call result = call("identify", arguments, true);  // a record may have no knocks
+    if (result.output.empty() || result.code != 0) return;
     const Json answer = Json::parse(result.output);
-    const bool trusted = answer["complete"] && answer["contradictions"].empty();
-    if (result.code == 0 && !trusted) fault("identify", "exit code {}", result.code);
+    if (!answer["complete"] || !answer["contradictions"].empty()) {
+      fault("identify", "exit code {}", result.code);
+    }
   }
 
   /// Compares certain regimes with simulations at a random speed and just inside their borders.
-  void compare(const char* command, const std::vector<PrintedRegime>& all) {
+  void compare(const char* command, const Json& all) {
     MachineDraw draw(seed_ + 8'000'000);
-    std::size_t every = (all.size() + most_regimes - 1) / most_regimes;
+    const std::size_t every = (all.size() + most_regimes - 1) / most_regimes;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const PrintedRegime& regime = all[i];
-      const double inside = 1e-5;
-      const double random = draw.even_logarithm(regime.from, regime.to);
-      const bool chosen = i % every == 0 || regime.most <= quiet_per_turn;
-      if (!regime.certain || !chosen || regime.to < regime.from * (1 + 3 * inside)) continue;
-      for (const double omega : {regime.from * (1 + inside), random, regime.to * (1 - inside)}) {
+      const Json& regime = all[i];
+      const double from = regime["from"], to = regime["to"], inside = 1e-5;
+      const double random = draw.even_logarithm(from, to);
+      const bool chosen = i % every == 0 || regime["most_per_turn"] <= quiet_per_turn;
+      if (!regime["certain"] || !chosen || to < from * (1 + 3 * inside)) continue;
+      for (const double omega : {from * (1 + inside), random, to * (1 - inside)}) {
         try {
           const TimeLimit limit(to_compare);
           compare_at(command, regime, omega);
@@ -413,31 +346,29 @@ class Check {
     }
   }
 
-  void compare_at(const char* command, const PrintedRegime& regime, double omega) {
-    const auto wrong = [&](double least, double most) {
-      ++wrong_;
-      fmt::print(
-          "machine {}: {}: at {:.9g} rad/s {:.6g} to {:.6g} collisions a turn, said {} to "
-          "{}\n",
-          seed_, command, omega, least, most, regime.least, regime.most);
+  void compare_at(const char* command, const Json& regime, double omega) {
+    const double least = regime["least_per_turn"], most = regime["most_per_turn"];
+    const auto is_within = [&](const Range& range) {
+      return range.least >= least && range.most <= most;
     };
+    Range range{};
     if (is_disturbed(scene_)) {
-      Range range{};
       for (const int settling : {20, 300, 3000}) {  // elastic carriers settle slowly
         range = counted_at_phases(scene_, omega, settling);
-        if (range.least >= regime.least && range.most <= regime.most) return;
+        if (is_within(range)) return;
       }
       // Several motions may be possible: on the wall where it rests if its speed rises slowly.
       const std::vector<Regime> known = regimes_of(scene_, {slowest, omega * (1 + 1e-9)});
-      Scene rising = scene_;
-      rising.start_position = known.back().last.orbit.start_position;
-      rising.start_velocity = 0;
-      const Range from_rest = counted_at_phases(rising, omega, 300);
-      if (from_rest.least >= regime.least && from_rest.most <= regime.most) return;
-      return wrong(range.least, range.most);
+      const double wall = known.back().last.orbit.start_position;
+      if (is_within(counted_at_phases(with(scene_, set::start(wall, 0)), omega, 300))) return;
+    } else {
+      range.least = range.most = counted_in_periods(scene_, omega, regime["turns"], most);
+      if (range.most == most) return;
     }
-    double counted = 0;
-    if (!UndisturbedCounts(scene_, regime).agree(omega, counted)) wrong(counted, counted);
+    ++wrong_;
+    fmt::print(
+        "machine {}: {}: at {:.9g} rad/s {:.6g} to {:.6g} collisions a turn, said {} to {}\n",
+        seed_, command, omega, range.least, range.most, least, most);
   }
 
   std::string program_;

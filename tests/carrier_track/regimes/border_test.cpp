@@ -2,39 +2,192 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "problems/carrier_track/suite/machine.h"
-#include "tests/carrier_track/regimes/shaken_table.h"
+#include "problems/carrier_track/regimes/border_curve.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/regimes/steady_motion.h"
+#include "ricochet/error.h"
+#include "tests/carrier_track/regimes/machines.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-TEST(Border, FlipOfTheShakenTableHasItsClosedForm) {
+TEST(SteadyMotion, OfABallOnAShakenTableIsTheClosedFormOrbit) {
   for (const double e : {0.2, 0.5, 0.8}) {
-    const double flip = shaken_table::flip_strength(e);
-    const SteadyMotion near = steady_motion(shaken_table::on_orbit(e, 0.95 * flip));
-    const auto border = first_border(near, followed(near, shaken_table::speed_at(1.05 * flip)));
-    EXPECT_EQ(border.kind, RegimeEnd::flip);
-    EXPECT_NEAR(border.omega / shaken_table::speed_at(flip), 1, 1e-10) << e;
+    const double strength = (shaken_table::fold_strength(e) + shaken_table::flip_strength(e)) / 2;
+    Scene scene = shaken_table::on_orbit(e, strength);
+    scene.start_velocity *= 1.02;  // settles on it
+    const SteadyMotion motion = steady_motion(scene);
+    ASSERT_TRUE(motion.settled);
+    EXPECT_EQ(motion.turns, 1);
+    EXPECT_EQ(motion.rest, Rest::never);
+    ASSERT_EQ(motion.impacts.size(), 1U);
+    const double speed = shaken_table::gravity * 2 * std::numbers::pi / scene.omega / (1 + e);
+    EXPECT_NEAR(motion.impacts[0].speed / speed, 1, 1e-12);
+    EXPECT_NEAR(motion.energy_per_turn(), (1 - e * e) * speed * speed, 1e-10 * speed * speed);
+    EXPECT_NEAR(motion.determinant, e * e, 1e-10);
+    EXPECT_TRUE(motion.stable());
   }
 }
 
-TEST(Border, FoldOfTheShakenTableHasItsClosedForm) {
+TEST(SteadyMotion, AgreesWithLongSimulations) {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const Scene machine = random_machine(seed);
+    const double omega = MachineDraw(seed + 1000).even_logarithm(0.5, 18);
+    const SteadyMotion motion = steady_motion(at_speed(machine, omega));
+    if (!motion.settled) continue;
+    const int observed = motion.turns * (60 / motion.turns);
+    EXPECT_DOUBLE_EQ(motion.collisions_per_turn(),
+                     collisions_in_the_long_run(motion.orbit, omega, 260, observed))
+        << seed << " at " << omega;
+    ++compared;
+  }
+  EXPECT_GT(compared, 120);
+}
+
+TEST(SteadyMotion, OnAWallRestErasesTheStart) {
+  const auto started = [](double velocity) {
+    return steady_motion(with(default_machine(), set::omega(5), set::start_velocity(velocity)));
+  };
+  const SteadyMotion first = started(default_machine().start_velocity);
+  ASSERT_TRUE(first.settled);
+  EXPECT_EQ(first.rest, Rest::on_a_wall);
+  EXPECT_EQ(first.collisions, 2);
+  for (const double velocity : {-2.0, -0.1, 0.0, 0.3, 1.0}) {
+    const SteadyMotion other = started(velocity);
+    ASSERT_EQ(other.impacts.size(), first.impacts.size());
+    for (std::size_t i = 0; i < first.impacts.size(); ++i) {
+      EXPECT_NEAR(other.impacts[i].speed / first.impacts[i].speed, 1, 1e-10);
+    }
+  }
+}
+
+TEST(SteadyMotion, IsStillBelowTheRelease) {
+  const SteadyMotion still = steady_motion(at_speed(default_machine(), 1.0));
+  EXPECT_TRUE(still.settled);
+  EXPECT_EQ(still.rest, Rest::always);
+  EXPECT_EQ(still.share_at_rest, 1);
+  EXPECT_EQ(still.fastest_impact(), 0);
+  // Just above it a small pull moves the carrier by some 1e-8 m a turn, until it is at a wall.
+  const SteadyMotion gliding =
+      steady_motion(with(default_machine(), set::omega(1.4176), set::start_velocity(0)));
+  ASSERT_TRUE(gliding.settled);
+  EXPECT_EQ(gliding.orbit.start_position, default_machine().wall_lower);
+  EXPECT_EQ(gliding.rest, Rest::always);
+}
+
+TEST(SteadyMotion, StaysOnAnOrbitThatIsFollowed) {
+  const double e = 0.5;
+  const SteadyMotion stable = steady_motion(shaken_table::on_orbit(e, 1.5));
+  // Beyond the flip the orbit is unstable, and still there.
+  const double beyond = shaken_table::speed_at(1.03 * shaken_table::flip_strength(e));
+  const SteadyMotion unstable = followed(stable, beyond);
+  EXPECT_EQ(unstable.turns, 1);
+  EXPECT_FALSE(unstable.stable());
+  EXPECT_NEAR(unstable.impacts.at(0).speed,
+              shaken_table::gravity * 2 * std::numbers::pi / beyond / (1 + e), 1e-12);
+}
+
+TEST(SteadyMotion, RepeatsWithTheDisturbanceWhereThatRepeats) {
+  const auto shaken = [](double omega) {
+    return with(default_machine(), set::disturbance(0.1), set::disturbance_frequency(1),
+                set::omega(omega));
+  };
+  EXPECT_EQ(forcing_turns(shaken(3)), 3);
+  EXPECT_EQ(forcing_turns(shaken(2.5)), 5);
+  EXPECT_EQ(forcing_turns(shaken(2.5123)), 0);
+  const SteadyMotion motion = steady_motion(shaken(3));
+  ASSERT_TRUE(motion.settled);
+  EXPECT_EQ(motion.turns, 3);
+  EXPECT_EQ(motion.collisions, 6);
+}
+
+/// An elastic carrier: its impacts in a turn would not fit into memory.
+TEST(SteadyMotion, OfVeryManyImpactsIsAveragedOverAPartOfATurn) {
+  const SteadyMotion motion = steady_motion(
+      with(Scene{}, set::wall_upper(1e-7), set::start(0, 1), set::counting_limit(1e-3)));
+  EXPECT_FALSE(motion.settled);
+  EXPECT_NEAR(motion.collisions_per_turn() / (2 * std::numbers::pi * 1e7), 1, 1e-4);
+  EXPECT_NEAR(motion.fastest_impact(), 1, 1e-12);
+}
+
+/// A margin along a step of the length `step`: a cubic of t in [0, 1].
+struct Cubic {
+  double c0, c1, c2, c3;
+
+  double value(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+  double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
+  Margin at(double t, double step) const { return {value(t), slope(t) / step}; }
+  /// The least of the absolute values if it keeps its sign, else 0.
+  double least() const {
+    double least = std::abs(value(0));
+    for (int k = 0; k <= 1000; ++k) {
+      if ((value(k / 1000.0) > 0) != (value(0) > 0)) return 0;
+      least = std::min(least, std::abs(value(k / 1000.0)));
+    }
+    return least;
+  }
+};
+
+TEST(KeptSign, IsNeverSaidOfACubicThatPassesZero) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  int kept = 0;
+  int passes = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Cubic cubic{number(random), number(random), number(random), number(random)};
+    const double step = std::exp(3 * number(random));
+    const bool said = keeps_sign(cubic.at(0, step), cubic.at(1, step), step);
+    if (cubic.least() == 0) {
+      ++passes;
+      EXPECT_FALSE(said) << cubic.c0 << " " << cubic.c1 << " " << cubic.c2 << " " << cubic.c3;
+    } else if (said) {
+      ++kept;
+    }
+  }
+  EXPECT_GT(passes, 5'000);
+  EXPECT_GT(kept, 2'000);
+}
+
+TEST(KeptSign, IsSaidWhereTheMarginHardlyChangesAndNotOfADipBetweenTwoMargins) {
+  const auto said = [](const Cubic& cubic) {
+    return keeps_sign(cubic.at(0, 0.01), cubic.at(1, 0.01), 0.01);
+  };
+  EXPECT_TRUE(said({1, 0.1, 0.05, -0.02}));
+  EXPECT_TRUE(said({-1, 0.1, 0.05, -0.02}));
+  EXPECT_FALSE(said({0.1, -1, 1, 0}));  // least -0.15 in the middle
+}
+
+/// The first border of the shaken table's orbit from one strength to another.
+Border border_of_table(double e, double from, double to) {
+  const SteadyMotion near = steady_motion(shaken_table::on_orbit(e, from));
+  return first_border(near, followed(near, shaken_table::speed_at(to)));
+}
+
+TEST(Border, FoldAndFlipOfTheShakenTableHaveTheirClosedForms) {
   for (const double e : {0.2, 0.5, 0.8}) {
-    const double fold = shaken_table::fold_strength(e);
-    const SteadyMotion near = steady_motion(shaken_table::on_orbit(e, 1.05 * fold));
-    const auto border = first_border(near, followed(near, shaken_table::speed_at(0.98 * fold)));
-    EXPECT_EQ(border.kind, RegimeEnd::fold);
-    EXPECT_NEAR(border.omega / shaken_table::speed_at(fold), 1, 1e-10) << e;
+    const double flip = shaken_table::flip_strength(e), fold = shaken_table::fold_strength(e);
+    const Border doubling = border_of_table(e, 0.95 * flip, 1.05 * flip);
+    EXPECT_EQ(doubling.kind, RegimeEnd::flip);
+    EXPECT_NEAR(doubling.omega / shaken_table::speed_at(flip), 1, 1e-10) << e;
+    const Border vanishing = border_of_table(e, 1.05 * fold, 0.98 * fold);
+    EXPECT_EQ(vanishing.kind, RegimeEnd::fold);
+    EXPECT_NEAR(vanishing.omega / shaken_table::speed_at(fold), 1, 1e-10) << e;
   }
 }
 
 TEST(Border, ReleaseIsWhereTheForceEqualsFrictionAndPull) {
-  Scene machine = default_machine();
-  machine.start_position = machine.wall_lower;
-  machine.start_velocity = 0;
-  machine.slider_mass_radius = 0;
+  const Scene machine = with(default_machine(), set::start(default_machine().wall_lower, 0),
+                             set::slider_mass_radius(0));
   const SteadyMotion still = steady_motion(at_speed(machine, 1.0));
   const auto border = first_border(still, followed(still, 2.0));
   EXPECT_EQ(border.kind, RegimeEnd::release);
@@ -52,6 +205,116 @@ TEST(Border, AnImpactHasTheCountingLimitThere) {
   EXPECT_NEAR(rank_margin(border.before, 3), 0, 1e-10);
   EXPECT_LE(rank_margin(border.before, 3), 0);
   EXPECT_GT(rank_margin(border.after, 3), 0);
+}
+
+/// The border of a machine like the default one beyond which a turn has more than two collisions.
+Border louder_than_two(const Scene& machine) {
+  const SteadyMotion slow = steady_motion(at_speed(machine, 4.0));
+  return first_border(slow, followed(slow, 16.0));
+}
+
+Scene scaled_by(const std::string& key, double factor) {
+  Scene machine = with(default_machine(), set::pull(0.02));
+  set_constant(machine, key, factor * constant_named(machine, key));
+  return machine;
+}
+
+TEST(BorderCurve, HasTheSlopesOfBordersSolvedAnew) {
+  for (const std::string key : {"mass", "clearance", "restitution", "friction", "normal_force",
+                                "centrifugal_mass_radius", "counting_limit", "pull"}) {
+    const BorderCurve curve(louder_than_two(scaled_by(key, 1)), key);
+    const double constant = constant_named(scaled_by(key, 1), key);
+    EXPECT_DOUBLE_EQ(curve.here().constant, constant);
+    const double change = louder_than_two(scaled_by(key, 1 + 1e-5)).omega -
+                          louder_than_two(scaled_by(key, 1 - 1e-5)).omega;
+    EXPECT_NEAR(curve.here().slope * constant, change / 2e-5,
+                1e-6 * std::abs(curve.here().slope * constant) + 1e-7)
+        << key;
+  }
+}
+
+TEST(BorderCurve, ArrivesAtTheBordersOfOtherMachines) {
+  for (const std::string key : {"restitution", "friction", "counting_limit", "clearance"}) {
+    for (const double factor : {0.8, 1.25}) {
+      BorderCurve curve(louder_than_two(scaled_by(key, 1)), key);
+      ASSERT_TRUE(curve.follow_to(factor * curve.here().constant)) << key;
+      EXPECT_NEAR(curve.here().omega / louder_than_two(scaled_by(key, factor)).omega, 1, 1e-10)
+          << key;
+    }
+  }
+}
+
+TEST(BorderCurve, EndsWhereTheBorderEnds) {
+  BorderCurve curve(louder_than_two(default_machine()), "counting_limit");
+  EXPECT_FALSE(curve.follow_to(-1));
+  EXPECT_GT(curve.here().constant, 0);
+  EXPECT_NE(curve.end(), CurveEnd::range);
+}
+
+TEST(BorderCurve, FollowsTheReleaseByItsClosedForm) {
+  const Scene machine = with(default_machine(), set::pull(0), set::slider_mass_radius(0));
+  const SteadyMotion still = steady_motion(at_speed(machine, 1.0));
+  BorderCurve curve(first_border(still, followed(still, 2.0)), "friction");
+  const double force = machine.normal_force / machine.centrifugal_mass_radius;
+  for (const double friction : {0.05, 0.4}) {
+    ASSERT_TRUE(curve.follow_to(friction));
+    EXPECT_NEAR(curve.here().omega / std::sqrt(friction * force), 1, 1e-12);
+    EXPECT_NEAR(curve.here().slope / (0.5 * std::sqrt(force / friction)), 1, 1e-12);
+  }
+}
+
+TEST(BorderCurve, FollowsFoldAndFlipByTheirClosedForms) {
+  using namespace shaken_table;
+  const double flip = flip_strength(0.5), fold = fold_strength(0.5);
+  const auto flip_at = [](double e) { return speed_at(flip_strength(e)); };
+  BorderCurve doubling(border_of_table(0.5, 0.98 * flip, 1.02 * flip), "restitution");
+  for (const double e : {0.5, 0.55, 0.45}) {
+    ASSERT_TRUE(doubling.follow_to(e));
+    EXPECT_NEAR(doubling.here().omega / flip_at(e), 1, 1e-9);
+    EXPECT_NEAR(doubling.here().slope / ((flip_at(e + 1e-6) - flip_at(e - 1e-6)) / 2e-6), 1, 1e-5);
+  }
+  BorderCurve downwards(border_of_table(0.5, 1.05 * fold, 0.98 * fold), "restitution");
+  for (const double e : {0.5, 0.55}) {
+    ASSERT_TRUE(downwards.follow_to(e)) << static_cast<int>(downwards.end());
+    EXPECT_NEAR(downwards.here().omega / speed_at(fold_strength(e)), 1, 1e-7);
+  }
+}
+
+TEST(BorderCurve, SaysThatItTurnsBack) {
+  const Scene machine = random_machine(10);
+  const std::vector<Regime> regimes = regimes_of(machine, {0.01, 6});
+  BorderCurve curve(border_between(regimes.at(3), regimes.at(4)), "counting_limit");
+  ASSERT_FALSE(curve.follow_to(0.3 * curve.here().constant));
+  EXPECT_EQ(curve.end(), CurveEnd::fold_back);
+  // The speed of the impact has its least value there: no machine with a lower limit has the
+  // border.
+  const BorderPoint end = curve.here();
+  const auto passes = [&](double limit) {
+    const Scene other = with(machine, set::counting_limit(limit));
+    std::set<double> counts;
+    for (double factor = 0.99; factor < 1.01; factor += 5e-4) {
+      counts.insert(steady_motion(at_speed(other, factor * end.omega)).collisions);
+    }
+    return counts.size() > 1;
+  };
+  EXPECT_TRUE(passes(end.constant * (1 + 1e-4)));
+  EXPECT_FALSE(passes(end.constant * (1 - 1e-4)));
+}
+
+TEST(BorderCurve, BeginsBetweenTwoRegimes) {
+  const std::vector<Regime> regimes = regimes_of(default_machine());
+  ASSERT_GT(regimes.size(), 3U);
+  for (std::size_t i = 0; i + 1 < regimes.size(); ++i) {
+    const BorderCurve curve(border_between(regimes[i], regimes[i + 1]), "friction");
+    EXPECT_NEAR(curve.here().omega / regimes[i].to, 1, 1e-11);
+  }
+}
+
+TEST(BorderCurve, RefusesEqualMotionsAndUnknownConstants) {
+  const SteadyMotion still = steady_motion(at_speed(default_machine(), 1.0));
+  EXPECT_THROW(BorderCurve({1.0, RegimeEnd::release, still, still}, "friction"),
+               std::invalid_argument);
+  EXPECT_THROW(BorderCurve(louder_than_two(default_machine()), "wall_lower"), InputError);
 }
 
 }  // namespace

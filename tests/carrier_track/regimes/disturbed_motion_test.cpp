@@ -7,43 +7,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/regimes/phase_tip.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
-#include "problems/carrier_track/scene/scene_values.h"
-#include "problems/carrier_track/suite/machine.h"
-#include "ricochet/machine.h"
-#include "tests/carrier_track/regimes/long_simulation.h"
-#include "tests/carrier_track/regimes/random_machine.h"
+#include "tests/carrier_track/regimes/machines.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 Scene disturbed(double disturbance, double omega) {
-  Scene machine = default_machine();
-  machine.disturbance = disturbance;
-  machine.omega = omega;
-  return machine;
-}
-
-std::vector<double> even_phases(int count) {
-  std::vector<double> phases;
-  for (int k = 0; k < count; ++k) phases.push_back(2 * std::numbers::pi * k / count);
-  return phases;
-}
-
-/// The fewest and the most collisions of the turns at many phases.
-std::pair<int, int> extremes_of(const DisturbedMotion& motion, int phases) {
-  const auto turns = turns_at_phases(motion.machine, even_phases(phases), motion.turns_before);
-  const auto [least, most] = std::ranges::minmax_element(turns, {}, &DisturbedTurn::collisions);
-  return {least->collisions, most->collisions};
+  return with(default_machine(), set::disturbance(disturbance), set::omega(omega));
 }
 
 TEST(DisturbedTurn, HasTheImpactsOfASimulationToTheLastRebound) {
-  Scene machine = disturbed(0.3, 6);
-  machine.restitution_lower = machine.restitution_upper = 0.9;
-  machine = disturbed_motion(machine).machine;
+  const Scene machine = disturbed_motion(with(disturbed(0.3, 6), set::restitution(0.9))).machine;
   for (const int before : {0, 2}) {
     const auto phases = even_phases(10);
     const auto turns = turns_at_phases(machine, phases, before);
@@ -74,9 +55,7 @@ TEST(DisturbedTurn, IsTheSameAloneAsBesideOthers) {
 }
 
 TEST(ObservedTurn, HasTheNumbersOfTheOrbitWhereNothingDisturbs) {
-  Scene machine = default_machine();
-  machine.omega = 7;
-  const SteadyMotion motion = steady_motion(machine);
+  const SteadyMotion motion = steady_motion(at_speed(default_machine(), 7.0));
   const auto turns = observed_turns(motion.orbit, even_phases(2), 1, 3);
   ASSERT_EQ(turns.size(), 6U);
   for (const ObservedTurn& observed : turns) {
@@ -108,19 +87,19 @@ TEST(DisturbedMotion, KnowsTheLeastAndTheMostOfAllPhases) {
 }
 
 TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
-  struct Rare {
-    std::uint64_t seed;
-    double omega;
-  };
   // Where margins change much from phase to phase, where impacts appear and vanish between two even
   // phases, where an impact passes from one turn to the next, where slow impacts nearly graze.
   int unseen = 0;  // by even phases
-  for (const auto& [seed, omega] :
-       {Rare{30, 0.870569255}, Rare{42, 2.132245922}, Rare{18, 0.7404758458},
-        Rare{51, 0.5759682684}, Rare{27, 7.9598}, Rare{50, 5.2931}, Rare{18, 0.98},
-        Rare{27, 8.63544}}) {
-    const DisturbedMotion motion =
-        disturbed_motion(at_speed(random_disturbed_machine(seed), omega));
+  for (const auto& [seed, omega] : {std::pair{30, 0.870569255},
+                                    {42, 2.132245922},
+                                    {18, 0.7404758458},
+                                    {51, 0.5759682684},
+                                    {27, 7.9598},
+                                    {50, 5.2931},
+                                    {18, 0.98},
+                                    {27, 8.63544}}) {
+    const DisturbedMotion motion = disturbed_motion(
+        at_speed(random_disturbed_machine(static_cast<std::uint64_t>(seed)), omega));
     ASSERT_TRUE(motion.settled);
     EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 4000)) << seed;
     unseen += std::pair(motion.least, motion.most) != extremes_of(motion, 16);
@@ -131,8 +110,8 @@ TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
 TEST(DisturbedMotion, LooksAtOtherPhasesToo) {
   // One phase in six thousand has one collision.
   const double rare = 4.227;
-  const Scene machine = at_speed(random_disturbed_machine(10), 1.43634);
-  const DisturbedMotion motion = disturbed_motion(machine, {&rare, 1});
+  const DisturbedMotion motion =
+      disturbed_motion(at_speed(random_disturbed_machine(10), 1.43634), {&rare, 1});
   EXPECT_EQ(motion.least, 1);
   EXPECT_EQ(extremes_of(motion, 1000).first, 2);
 }
@@ -146,17 +125,14 @@ TEST(DisturbedMotion, HasTheSameTurnsAfterMoreTurns) {
   EXPECT_NEAR(here[0].margin(1), later[0].margin(1), 1e-9);
 }
 
-TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrier) {
+TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrierAndHowHighItIs) {
   // Most turns have no collision, so that those of two starts are alike though the carrier stands
   // at other places in the gap.
   const DisturbedMotion motion = disturbed_motion(disturbed(0.1, 1.3865));
   EXPECT_GT(collisions_in_the_long_run(motion.machine, 1.3865, 6000, 5000), 0);
   EXPECT_TRUE(!motion.settled || motion.most > 0);
-}
-
-TEST(DisturbedMotion, RemembersHowHighItIsWithoutAnUpperWall) {
-  // It comes back to the wall once in a hundred turns: no turn depends on its phase alone. Just
-  // beyond its release few phases lift it.
+  // Without an upper wall it comes back once in a hundred turns: no turn depends on its phase
+  // alone. Just beyond its release few phases lift it.
   for (const double omega : {2.573, 3.0}) {
     EXPECT_FALSE(disturbed_motion(at_speed(strange_machine(102), omega)).settled) << omega;
   }
@@ -164,8 +140,7 @@ TEST(DisturbedMotion, RemembersHowHighItIsWithoutAnUpperWall) {
 
 TEST(DisturbedMotion, ForgetsItsStartAtEveryPhase) {
   // After two turns one phase in fifty still tells two starts apart.
-  const Scene machine = scene_of(find_case("C9"), default_machine());
-  const DisturbedMotion motion = disturbed_motion(at_speed(machine, 0.7302));
+  const DisturbedMotion motion = disturbed_motion(at_speed(case_scene("C9"), 0.7302));
   const auto turns =
       observed_turns(motion.machine, {&motion.machine.disturbance_phase, 1}, 60, 1000);
   const auto [least, most] = std::ranges::minmax_element(turns, {}, &ObservedTurn::collisions);
@@ -186,7 +161,7 @@ TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
 /// reached.
 TEST(SampledTurns, AreThoseOfTheRegimes) {
   for (const char* name : {"C1", "C3", "C5", "C9"}) {
-    const Scene scene = scene_of(find_case(name), default_machine());
+    const Scene scene = case_scene(name);
     const auto regimes = regimes_of(scene, {2, 6});
     int compared = 0;
     const auto sampled = sampled_turns(scene, 2, 6);
@@ -202,6 +177,54 @@ TEST(SampledTurns, AreThoseOfTheRegimes) {
     }
     EXPECT_GT(compared, 12) << name;
   }
+}
+
+DisturbedMotion motion_at(const std::string& id, double omega) {
+  return disturbed_motion(at_speed(case_scene(id), omega));
+}
+
+/// Turns at 2,000 phases around that of a tip in which the impact counts so.
+int beyond_near(const DisturbedMotion& motion, const PhaseTip& tip, double omega, int rank,
+                Extreme extreme) {
+  std::vector<SpeedAndPhase> places;
+  for (int k = -1000; k <= 1000; ++k) places.push_back({omega, tip.phase + 2e-5 * k});
+  int count = 0;
+  for (const DisturbedTurn& turn : turns_of(motion, places)) {
+    if (is_beyond(turn, rank, extreme)) ++count;
+  }
+  return count;
+}
+
+TEST(PhaseTip, IsTheLastSpeedAtWhichSomePhaseCountsSo) {
+  // Margins that are smooth, and some beside a jump.
+  for (const auto& [id, from, until, rank, extreme] :
+       {std::tuple{"C5", 8.0785, 8.0770, 3, Extreme::most},
+        {"C7", 2.8970, 2.8985, 1, Extreme::least},
+        {"C5", 1.4950, 1.5100, 1, Extreme::least}}) {
+    const DisturbedMotion motion = motion_at(id, from);
+    ASSERT_TRUE(has_beyond(motion, rank, extreme)) << from;
+    const PhaseTip tip = phase_tip(motion, motion_at(id, until), rank, extreme);
+    ASSERT_TRUE(tip.is_reached) << from;
+    const double outwards = until > from ? 1e-9 : -1e-9;
+    EXPECT_EQ(beyond_near(motion, tip, tip.omega * (1 + 2 * outwards), rank, extreme), 0);
+    EXPECT_GT(beyond_near(motion, tip, tip.omega * (1 - outwards), rank, extreme), 0);
+  }
+  const PhaseTip early =
+      phase_tip(motion_at("C7", 2.8970), motion_at("C7", 2.8971), 1, Extreme::least);
+  EXPECT_FALSE(early.is_reached) << "the search ends before it";
+  EXPECT_EQ(early.omega, 2.8971);
+}
+
+TEST(PhaseTip, IsFollowedWhereFewPhasesCountSoAndDriftWithTheSpeed) {
+  // From 0.36103 rad/s on, a few phases have one collision; at 0.3650 others than at 0.3611.
+  const Scene machine = random_disturbed_machine(2);
+  const DisturbedMotion motion = disturbed_motion(at_speed(machine, 0.3650));
+  const DisturbedMotion other = disturbed_motion(at_speed(machine, 0.3600));
+  const PhaseTip tip = phase_tip(motion, other, 2, Extreme::least);
+  ASSERT_TRUE(tip.is_reached);
+  EXPECT_NEAR(tip.omega, 0.36103, 1e-5);
+  EXPECT_GT(beyond_near(motion, tip, tip.omega * (1 + 1e-7), 2, Extreme::least), 0);
+  EXPECT_EQ(beyond_near(motion, tip, tip.omega * (1 - 1e-7), 2, Extreme::least), 0);
 }
 
 }  // namespace

@@ -6,15 +6,13 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
-#include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/regimes/disturbed_motion.h"
-#include "problems/carrier_track/suite/machine.h"
-#include "ricochet/machine.h"
-#include "tests/carrier_track/regimes/long_simulation.h"
-#include "tests/carrier_track/regimes/random_machine.h"
+#include "tests/carrier_track/regimes/machines.h"
 
 /// How often regimes are wrong, by long simulations of random machines, FIRST to LAST:
 ///
@@ -36,6 +34,14 @@ struct Tally {
   int wrong = 0;                   ///< of these, in a certain regime
   int wrong_uncertain = 0;         ///< in another
   int wide = 0;                    ///< where a regime has a count that no simulation has
+
+  void add(const Tally& other) {
+    for (const auto count :
+         {&Tally::machines, &Tally::failed, &Tally::regimes, &Tally::uncertain, &Tally::speeds,
+          &Tally::wrong, &Tally::wrong_uncertain, &Tally::wide}) {
+      this->*count += other.*count;
+    }
+  }
 };
 
 std::mutex lock;  // of the tally and the output
@@ -114,26 +120,18 @@ class Check {
 
  private:
   void at_phases_and_in_time(double omega) {
-    constexpr int phases = 2000;
-    constexpr int before = 60;
-    constexpr int observed = 1000;
     const Regime& regime = regime_at(regimes_, omega);
-    Scene there = machine_;
-    there.fidelity = Fidelity::impact;
-    const DisturbedMotion motion = disturbed_motion(at_speed(there, omega));
+    const DisturbedMotion motion =
+        disturbed_motion(with(machine_, set::fidelity(Fidelity::impact), set::omega(omega)));
     std::vector<int> counts;
     if (motion.settled && motion.moves) {
-      std::vector<double> even;
-      for (int k = 0; k < phases; ++k) even.push_back(2 * std::numbers::pi * k / phases);
-      for (const auto& turn : turns_at_phases(motion.machine, even, motion.turns_before)) {
-        counts.push_back(turn.collisions);
-      }
+      const auto [least, most] = extremes_of(motion, 2000);
+      counts = {least, most};
     }
     // From the machine's own start, which turns that begin at the same angle of the plate forget.
-    there = motion.machine;
-    there.start_position = machine_.start_position;
-    there.start_velocity = machine_.start_velocity;
-    for (const auto& one : observed_turns(there, {&there.disturbance_phase, 1}, before, observed)) {
+    const Scene there =
+        with(motion.machine, set::start(machine_.start_position, machine_.start_velocity));
+    for (const auto& one : observed_turns(there, {&there.disturbance_phase, 1}, 60, 1000)) {
       counts.push_back(one.collisions);
     }
     const auto [least, most] = std::ranges::minmax(counts);
@@ -160,12 +158,6 @@ class Check {
   Tally tally_;
 };
 
-struct Machine {
-  std::string name;
-  Scene scene;
-  std::uint64_t seed;
-};
-
 int run(const std::vector<std::string>& arguments) {
   const std::string kind = arguments.at(0);
   const auto first = static_cast<std::uint64_t>(std::stoll(arguments.at(1)));
@@ -173,38 +165,33 @@ int run(const std::vector<std::string>& arguments) {
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       arguments.size() > 3 ? static_cast<std::size_t>(std::stoi(arguments[3])) : 1);
-  std::vector<Machine> machines;
+  std::vector<std::tuple<std::string, Scene, std::uint64_t>> machines;
   for (const Case& one : all_cases()) {
-    const Scene scene = scene_of(one, default_machine());
-    if (kind == "disturbed" && first == 1 && is_disturbed(scene))
-      machines.push_back({one.id, scene, 0});
+    const Scene scene = case_scene(one.id);
+    if (kind == "disturbed" && first == 1 && is_disturbed(scene)) {
+      machines.emplace_back(one.id, scene, 0);
+    }
   }
   for (std::uint64_t seed = first; seed <= last; ++seed) {
-    machines.push_back({fmt::format("machine {}", seed),
-                        kind == "disturbed" ? random_disturbed_machine(seed) : random_machine(seed),
-                        seed});
+    machines.emplace_back(
+        fmt::format("machine {}", seed),
+        kind == "disturbed" ? random_disturbed_machine(seed) : random_machine(seed), seed);
   }
   Tally all;
   tbb::parallel_for(std::size_t{0}, machines.size(), [&](std::size_t k) {
+    const auto& [name, machine, seed] = machines[k];
     Tally tally{.failed = 1};
     try {
-      Check check(machines[k].name, machines[k].scene);
-      if (kind == "undisturbed") check.undisturbed(machines[k].seed);
+      Check check(name, machine);
+      if (kind == "undisturbed") check.undisturbed(seed);
       if (kind == "scan") check.scan();
       if (kind == "disturbed") check.disturbed();
       tally = check.tally();
     } catch (const std::exception& error) {
-      fmt::print("{}: {}\n", machines[k].name, error.what());
+      fmt::print("{}: {}\n", name, error.what());
     }
     const std::scoped_lock guard(lock);
-    all.machines += tally.machines;
-    all.failed += tally.failed;
-    all.regimes += tally.regimes;
-    all.uncertain += tally.uncertain;
-    all.speeds += tally.speeds;
-    all.wrong += tally.wrong;
-    all.wrong_uncertain += tally.wrong_uncertain;
-    all.wide += tally.wide;
+    all.add(tally);
     if (all.machines % 100 == 0) print(all);
     std::fflush(stdout);
   });

@@ -1,30 +1,25 @@
 #include "problems/carrier_track/regimes/regime_map.h"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "problems/carrier_track/regimes/basins.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/suite/machine.h"
-#include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/random.h"
-#include "tests/carrier_track/regimes/long_simulation.h"
-#include "tests/carrier_track/regimes/random_machine.h"
+#include "tests/carrier_track/regimes/machines.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 using testing::HasSubstr;
-using testing::ThrowsMessage;
-
-Scene machine_of(const std::string& id) {
-  return scene_of(find_case(id), default_machine());
-}
 
 /// Columns of a map that are compared with the regimes of their machines: cells, and those of them
 /// that differ though no border is as near as half a cell, and the motion is certain.
@@ -57,14 +52,20 @@ RegimeMapOptions over_restitution() {
 }
 
 const RegimeMap& map_of_c1() {
-  static const RegimeMap map = regime_map(machine_of("C1"), over_restitution());
+  static const RegimeMap map = regime_map(case_scene("C1"), over_restitution());
   return map;
 }
 
-TEST(RegimeMap, HasTheRegimesOfItsMachinesInItsCells) {
-  const Compared c1 = compared_with_regimes(machine_of("C1"), map_of_c1(), 3);
+TEST(RegimeMap, HasTheRegimesAndBordersOfItsMachines) {
+  const RegimeMap& map = map_of_c1();
+  const Compared c1 = compared_with_regimes(case_scene("C1"), map, 3);
   EXPECT_GT(c1.cells, 1000);
   EXPECT_EQ(c1.wrong, 0);
+  EXPECT_TRUE(map.followed);
+  EXPECT_EQ(map.own, 0.1);
+  const std::vector<Regime> regimes = regimes_of(case_scene("C1"), {0.5, 12});
+  ASSERT_EQ(map.curves.size() + 1, regimes.size());
+  for (std::size_t i = 0; i < map.curves.size(); ++i) EXPECT_EQ(map.curves[i].own, regimes[i].to);
 }
 
 TEST(RegimeMap, HasTheRegimesOfMachinesOfAnyKind) {
@@ -84,7 +85,7 @@ TEST(RegimeMap, HasTheRegimesOfMachinesOfAnyKind) {
 }
 
 TEST(RegimeMap, HasTheMostCollisionsOfDisturbedMachines) {
-  const Scene machine = machine_of("C5");
+  const Scene machine = case_scene("C5");
   const RegimeMap map = regime_map(machine, {{"restitution", 0.1, 0.2}, 2, {"omega", 1, 4}});
   EXPECT_TRUE(map.disturbed);
   EXPECT_FALSE(map.followed);
@@ -103,21 +104,10 @@ TEST(RegimeMap, HasTheMostCollisionsOfDisturbedMachines) {
   }
 }
 
-TEST(RegimeMap, HasTheBordersOfTheMachineItself) {
-  const RegimeMap& map = map_of_c1();
-  EXPECT_TRUE(map.followed);
-  EXPECT_EQ(map.own, 0.1);
-  const std::vector<Regime> regimes = regimes_of(machine_of("C1"), {0.5, 12});
-  ASSERT_EQ(map.curves.size() + 1, regimes.size());
-  for (std::size_t i = 0; i < map.curves.size(); ++i) EXPECT_EQ(map.curves[i].own, regimes[i].to);
-}
-
 TEST(RegimeMap, HasThePointsAndSlopesOfBordersSolvedAnew) {
-  const Scene machine = machine_of("C1");
+  const Scene machine = case_scene("C1");
   const auto quiet = [&](double restitution) {
-    Scene other = machine;
-    other.restitution_lower = other.restitution_upper = restitution;
-    return *quiet_up_to(other, 2, {0.5, 12});
+    return *quiet_up_to(with(machine, set::restitution(restitution)), 2, {0.5, 12});
   };
   const auto curve = std::ranges::find(map_of_c1().curves, 2.0, &MapCurve::slower);
   ASSERT_NE(curve, map_of_c1().curves.end());
@@ -136,7 +126,7 @@ TEST(RegimeMap, HasThePointsAndSlopesOfBordersSolvedAnew) {
 }
 
 TEST(RegimeMap, OfTwoConstantsIsThatOfTheirMachines) {
-  const Scene machine = at_speed(machine_of("C1"), 6.0);
+  const Scene machine = at_speed(case_scene("C1"), 6.0);
   const RegimeMap map =
       regime_map(machine, {{"restitution", 0.1, 0.4}, 4, {"friction", 0.05, 0.5}});
   EXPECT_FALSE(map.followed);
@@ -155,24 +145,170 @@ TEST(RegimeMap, OfTwoConstantsIsThatOfTheirMachines) {
 
 TEST(RegimeMap, KeepsTheCellsThatHadTime) {
   const TimeLimit limit(1e-9);
-  const RegimeMap map = regime_map(machine_of("C1"), over_restitution());
+  const RegimeMap map = regime_map(case_scene("C1"), over_restitution());
   EXPECT_FALSE(map.complete);
   EXPECT_EQ(map.columns.size(), 31U);
   EXPECT_LT(map.columns.front().cells.size(), map.heights.size());
 }
 
 TEST(RegimeMap, RefusesWhatIsNoRangeOfMachines) {
-  const Scene machine = machine_of("C1");
-  const auto refuses = [&](const RegimeMapOptions& options, const char* part) {
-    EXPECT_THAT([&] { regime_map(machine, options); }, ThrowsMessage<InputError>(HasSubstr(part)));
+  expect_refusals<InputError, RegimeMapOptions>(
+      [](const RegimeMapOptions& options) { regime_map(case_scene("C1"), options); },
+      {{{{"restitution", 0.5, 1.5}}, "restitution"},
+       {{{"restitution", 0.5, 0.5}}, "must rise"},
+       {{{"wall_lower", 0, 1}}, "clearance"},
+       {{{"clearance", -1e-3, 1e-3}}, "clearance"},
+       {{{"restitution", 0.1, 0.5}, 1}, "values"},
+       {{{"restitution", 0.1, 0.5}, 5, {"restitution", 0, 1}}, "two different"},
+       {{{"restitution", 0.1, 0.5}, 5, {"omega", 0, 1}}, "omega"}});
+}
+
+constexpr double height = 0.03;  // m
+constexpr double fastest = 1.0;  // m/s
+constexpr double restitution = 0.8;
+
+/// A ball above a table that moves as A cos(omega t): an own simulation in the room's frame, with
+/// small steps. Returns whether it still bounces after many periods; below one gravity a ball that
+/// has come to rest stays.
+bool bounces(double omega, double phase, double above, double relative_velocity) {
+  using namespace shaken_table;
+  const auto table = [&](double t) { return amplitude * std::cos(omega * t + phase); };
+  const auto table_velocity = [&](double t) {
+    return -amplitude * omega * std::sin(omega * t + phase);
   };
-  refuses({{"restitution", 0.5, 1.5}}, "restitution");
-  refuses({{"restitution", 0.5, 0.5}}, "must rise");
-  refuses({{"wall_lower", 0, 1}}, "clearance");
-  refuses({{"clearance", -1e-3, 1e-3}}, "clearance");
-  refuses({{"restitution", 0.1, 0.5}, 1}, "values");
-  refuses({{"restitution", 0.1, 0.5}, 5, {"restitution", 0, 1}}, "two different");
-  refuses({{"restitution", 0.1, 0.5}, 5, {"omega", 0, 1}}, "omega");
+  const double period = 2 * std::numbers::pi / omega;
+  double from = 0, y = table(0) + above, v = table_velocity(0) + relative_velocity;
+  while (from < 150 * period) {
+    const auto gap = [&](double t) {
+      const double flown = t - from;
+      return y + v * flown - gravity * flown * flown / 2 - table(t);
+    };
+    // The flight of least interest lasts some millionth of a period.
+    double step = 1e-6 * period, t = from + step;
+    while (gap(t) > 0) {
+      step = std::min(1.3 * step, period / 400);
+      t += step;
+    }
+    double low = t - step, high = t;
+    for (int i = 0; i < 60; ++i) (gap((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    const double impact = table_velocity(high) - (v - gravity * (high - from));
+    if (impact < 1e-4) return false;
+    from = high;
+    y = table(high);
+    v = table_velocity(high) + restitution * impact;
+  }
+  return true;
+}
+
+/// The share of bouncing balls among random starts.
+double bouncing_share(double omega, int starts) {
+  Random random(99);
+  int bouncing = 0;
+  for (int i = 0; i < starts; ++i) {
+    const double phase = 2 * std::numbers::pi * uniform(random);
+    const double above = height * uniform(random);
+    if (bounces(omega, phase, above, fastest * (2 * uniform(random) - 1))) ++bouncing;
+  }
+  return static_cast<double>(bouncing) / starts;
+}
+
+TEST(Basins, StickingAndBouncingBallsDivideAsInASimulationOfTheirOwn) {
+  const double strength = 0.6;  // between the folds of one and of two turns, and below lift-off
+  ASSERT_GT(strength, shaken_table::fold_strength(restitution));
+  ASSERT_LT(strength, 2 * shaken_table::fold_strength(restitution));
+  const Scene table = shaken_table::on_orbit(restitution, strength);
+  const int starts = 1500;
+  const Basins found = basins_of(table, {starts, 7, height, fastest});
+  ASSERT_EQ(found.basins.size(), 2U);
+  const auto bouncing = std::ranges::find_if(
+      found.basins, [](const Basin& basin) { return basin.motion.collisions_per_turn > 0; });
+  ASSERT_NE(bouncing, found.basins.end());
+  EXPECT_EQ(bouncing->motion.collisions_per_turn, 1);
+  EXPECT_EQ(bouncing->turns, 1);
+  // In the frame of the table: twice the start over (1 + e) e, by the closed form.
+  EXPECT_NEAR(bouncing->motion.fastest_impact, table.start_velocity / restitution, 1e-9);
+  const auto sticking = bouncing == found.basins.begin() ? bouncing + 1 : found.basins.begin();
+  EXPECT_EQ(sticking->motion.share_at_rest, 1);
+  EXPECT_EQ(sticking->starts + bouncing->starts, starts);
+  const double expected = bouncing_share(table.omega, starts);
+  EXPECT_GT(expected, 0.1);
+  EXPECT_LT(expected, 0.9);
+  const double deviation = std::sqrt(2 * expected * (1 - expected) / starts);
+  EXPECT_NEAR(static_cast<double>(bouncing->starts) / starts, expected, 3.5 * deviation);
+}
+
+TEST(Basins, BelowTheFoldEveryBallSticks) {
+  const double fold = shaken_table::fold_strength(restitution);
+  const Scene above = shaken_table::on_orbit(restitution, 1.01 * fold);
+  EXPECT_EQ(basins_of(above, {1, 1, height, fastest}).basins.size(), 1U);
+  const Scene table =
+      at_speed(shaken_table::on_orbit(restitution, 0.6), shaken_table::speed_at(0.95 * fold));
+  const Basins below = basins_of(table, {200, 1, height, fastest});
+  ASSERT_EQ(below.basins.size(), 1U);
+  EXPECT_EQ(below.basins[0].motion.share_at_rest, 1);
+  EXPECT_EQ(below.basins[0].starts, 200);
+}
+
+TEST(Basins, TheSeedGivesTheStarts) {
+  const Scene table = shaken_table::on_orbit(restitution, 0.6);
+  const auto shares = [&](std::uint64_t seed) {
+    std::vector<int> starts;
+    for (const Basin& basin : basins_of(table, {300, seed, height, fastest}).basins) {
+      starts.push_back(basin.starts);
+    }
+    return starts;
+  };
+  EXPECT_EQ(shares(3), shares(3));
+  EXPECT_NE(shares(3), shares(4));
+}
+
+TEST(Basins, ACarrierThatRestsInEveryTurnForgetsItsStart) {
+  const Scene machine = at_speed(default_machine(), 6.0);
+  const Basins found = basins_of(machine, {100});
+  ASSERT_EQ(found.basins.size(), 1U);
+  EXPECT_EQ(found.basins[0].motion.collisions_per_turn, most_per_turn(machine));
+  EXPECT_EQ(found.height, machine.wall_upper);
+}
+
+TEST(Basins, RefusesWhatCannotBeSampled) {
+  const Scene machine = at_speed(default_machine(), 6.0);
+  const auto complaint = [](const Scene& scene, const BasinOptions& options) {
+    return complaint_of([&] { basins_of(scene, options); });
+  };
+  EXPECT_THAT(complaint(machine, {0}), HasSubstr("starts 0: must be within 1.."));
+  EXPECT_THAT(complaint(machine, {10, 1, -1.0}), HasSubstr("height -1"));
+  EXPECT_THAT(complaint(machine, {10, 1, {}, 0.0}), HasSubstr("fastest start 0"));
+  EXPECT_THAT(complaint(shaken_table::on_orbit(restitution, 0.6), {10}),
+              HasSubstr("wall_upper is inf"));
+  EXPECT_THAT(
+      complaint(with(machine, set::disturbance(0.1), set::disturbance_frequency(1.2345)), {10}),
+      HasSubstr("disturbance_frequency"));
+}
+
+Anatomy anatomy_at(double omega, double turns) {
+  const Scene machine = with(default_machine(), set::omega(omega), set::revolutions(turns));
+  return anatomy_of(machine, simulate(machine).impacts).value();
+}
+
+TEST(Anatomy, IsADecayAndTwoCollisionsATurn) {
+  const double turns = std::get<Revolutions>(default_machine().window).count;
+  const auto counted = [](double window) {
+    return simulate(with(default_machine(), set::omega(5), set::revolutions(window))).count;
+  };
+  const Anatomy anatomy = anatomy_at(5, turns);
+  EXPECT_EQ(anatomy.of_start + anatomy.of_long_run, counted(turns));
+  EXPECT_EQ(anatomy.per_turn, 2);
+  EXPECT_GT(anatomy.of_start, 0);
+  // A later window of as many turns has nothing but the long run, a long one as much decay.
+  EXPECT_EQ(counted(100 + turns) - counted(100), anatomy.of_long_run);
+  const Anatomy brief = anatomy_at(3, 3), longer = anatomy_at(3, 30);
+  EXPECT_EQ(brief.of_start, longer.of_start);
+  EXPECT_EQ(longer.of_long_run - brief.of_long_run, 2 * 27);
+}
+
+TEST(Anatomy, IsUnknownWithoutAPeriod) {
+  const Scene machine = with(default_machine(), set::disturbance(0.1), set::omega(5.0123));
+  EXPECT_FALSE(anatomy_of(machine, simulate(machine).impacts));
 }
 
 }  // namespace

@@ -1,32 +1,37 @@
 #include "problems/carrier_track/scene/scene_check.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "ricochet/error.h"
-#include "tests/support/numbers.h"
+#include "tests/support/refusals.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using Knots = std::vector<SpeedKnot<double>>;
 
 std::string complaint_about(const Scene& scene) {
-  try {
-    check(scene, "machine");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return complaint_of([&] { check(scene, "machine"); });
+}
+
+void expect_refused(const std::vector<Refusal<Scene>>& scenes) {
+  expect_refusals([](const Scene& scene) { check(scene, "machine"); }, scenes);
 }
 
 TEST(SceneCheck, AcceptsTheDefaultsTheDefaultMachineAndRandomScenes) {
@@ -38,296 +43,264 @@ TEST(SceneCheck, AcceptsTheDefaultsTheDefaultMachineAndRandomScenes) {
 }
 
 TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
-  Scene scene;
-  scene.wall_upper = infinity;
-  scene.restitution_lower = 0;
-  scene.start_position = 0;
-  scene.omega = 0;
-  scene.disturbance_frequency = 0;
-  scene.pull = -1e15;
-  scene.disturbance = 1e15;
-  scene.mass = scene.counting_limit = 1e-15;
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.wall_upper = scene.start_position = 1;
-  EXPECT_EQ(complaint_about(scene), "accepted");
+  const Scene edges =
+      with(Scene{}, set::wall_upper(infinity), set::restitution_lower(0), set::start_position(0),
+           set::omega(0), set::disturbance_frequency(0), set::pull(-1e15), set::disturbance(1e15),
+           set::mass(1e-15), set::counting_limit(1e-15));
+  EXPECT_EQ(complaint_about(edges), "accepted");
+  EXPECT_EQ(complaint_about(with(edges, set::wall_upper(1), set::start_position(1))), "accepted");
+  EXPECT_EQ(complaint_about(with(Scene{}, set::revolutions(1e6))), "accepted");
+  EXPECT_EQ(complaint_about(with(Scene{}, set::profile(Knots{{0.0, 1.0}, {1e-9, 9.0}}))),
+            "accepted");
 }
 
-TEST(SceneCheck, AllowsFrictionInContactWhereItLeavesSomething) {
-  Scene scene;
-  scene.friction = 1.5;
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.contact_friction = true;
-  EXPECT_THAT(complaint_about(scene), HasSubstr("scene.friction = 1.5: must be within 0..1"));
-  scene.friction = 1;
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.across.emplace();
-  EXPECT_THAT(complaint_about(scene), HasSubstr("scene.contact_friction = 1: must be false"));
-}
-
+template <class Owner>
 struct Wrong {
-  double Scene::*field;
+  double Owner::*field;
   std::string key;
   std::string allowed;
   std::vector<double> values;
 };
 
-TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
-  const double tiny = std::numeric_limits<double>::denorm_min();
-  for (const Wrong& wrong : {
-           Wrong{&Scene::mass, "scene.mass", "> 0 [kg]", {0, -1, infinity, nan}},
-           Wrong{&Scene::wall_lower, "scene.wall_lower", "finite", {-infinity, nan}},
-           Wrong{&Scene::wall_upper, "scene.wall_upper", "> wall_lower = 0", {0, -1, nan}},
-           Wrong{&Scene::restitution_lower, "scene.restitution", "0..1", {-tiny, 1.0001, nan}},
-           Wrong{&Scene::restitution_upper, "scene.restitution", "0..1", {-tiny, 1.0001, nan}},
-           Wrong{&Scene::friction, "scene.friction", ">= 0", {-tiny, infinity, nan}},
-           Wrong{&Scene::normal_force, "scene.normal_force", ">= 0", {-tiny, infinity, nan}},
-           Wrong{&Scene::pull, "scene.pull", "finite", {infinity, -infinity, nan}},
-           Wrong{&Scene::pull_phase, "scene.pull_phase", "finite", {infinity, nan}},
-           Wrong{&Scene::disturbance_phase, "scene.disturbance_phase", "finite", {infinity, nan}},
-           Wrong{&Scene::centrifugal_mass_radius,
-                 "scene.centrifugal_mass_radius",
-                 ">= 0",
-                 {-tiny, infinity, nan}},
-           Wrong{&Scene::slider_mass_radius,
-                 "scene.slider_mass_radius",
-                 ">= 0",
-                 {-tiny, infinity, nan}},
-           Wrong{&Scene::phase, "scene.phase", "finite", {infinity, nan}},
-           Wrong{&Scene::disturbance, "scene.disturbance", "finite", {infinity, nan}},
-           Wrong{&Scene::disturbance_frequency,
-                 "scene.disturbance_frequency",
-                 ">= 0",
-                 {-tiny, infinity, nan}},
-           Wrong{&Scene::start_position, "scene.start_position", "0..1", {-tiny, 1.01, nan}},
-           Wrong{&Scene::start_velocity, "scene.start_velocity", "finite", {infinity, nan}},
-           Wrong{&Scene::omega, "scene.omega", ">= 0", {-tiny, infinity, nan}},
-           Wrong{&Scene::counting_limit, "count.counting_limit", "> 0", {0, -1, infinity, nan}},
-           Wrong{&Scene::peak_high, "count.peak_high", "> 0", {0, -1, infinity, nan}},
-           Wrong{&Scene::peak_low, "count.peak_low", "> 0", {0, -1, infinity, nan}},
-           Wrong{&Scene::stiffness, "model.stiffness", "> 0", {0, -1, infinity, nan}},
-           Wrong{&Scene::contact_exponent, "model.contact_exponent", "> 0", {0, -1, infinity, nan}},
-       }) {
-    for (const double value : wrong.values) {
+/// Sets each wrong value in turn in what `owner` finds in a valid scene.
+template <class Owner, class Find>
+void expect_named(const std::vector<Wrong<Owner>>& fields, const Find& owner) {
+  for (const auto& [field, key, allowed, values] : fields) {
+    for (const double value : values) {
       Scene scene;
-      scene.*wrong.field = value;
-      const std::string message = complaint_about(scene);
-      EXPECT_THAT(message, StartsWith("machine: " + wrong.key + " = "));
-      EXPECT_THAT(message, HasSubstr("must be"));
-      EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
+      owner(scene).*field = value;
+      EXPECT_THAT(complaint_about(scene),
+                  AllOf(StartsWith(fmt::format("machine: {} = {}: must be ", key, value)),
+                        HasSubstr(allowed)));
     }
   }
 }
 
-struct WrongAcross {
-  double Across<double>::*field;
-  std::string key;
-  std::string allowed;
-  std::vector<double> values;
-};
+constexpr double tiny = std::numeric_limits<double>::denorm_min();
+const std::vector<double> not_finite{infinity, -infinity, quiet_nan, 1e16, -1e16};
+const std::vector<double> not_positive{0, -1, infinity, quiet_nan, 1e16, 0.9e-15};
+const std::vector<double> negative{-tiny, infinity, quiet_nan, 1e16};
+const std::vector<double> no_fraction{-tiny, 1.0001, quiet_nan};
+
+TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
+  const std::string finite = "within -1e15..1e15", positive = "within 1e-15..1e15";
+  const std::string not_negative = ">= 0";
+  expect_named<Scene>(
+      {
+          {&Scene::mass, "scene.mass", "> 0 [kg], within 1e-15..1e15", not_positive},
+          {&Scene::wall_lower, "scene.wall_lower", finite, not_finite},
+          {&Scene::wall_upper, "scene.wall_upper", "> wall_lower = 0", {0, -1, quiet_nan, 1e16}},
+          {&Scene::restitution_lower, "scene.restitution", "0..1", no_fraction},
+          {&Scene::restitution_upper, "scene.restitution", "0..1", no_fraction},
+          {&Scene::friction, "scene.friction", not_negative, negative},
+          {&Scene::normal_force, "scene.normal_force", not_negative, negative},
+          {&Scene::pull, "scene.pull", finite, not_finite},
+          {&Scene::pull_phase, "scene.pull_phase", finite, not_finite},
+          {&Scene::disturbance_phase, "scene.disturbance_phase", finite, not_finite},
+          {&Scene::centrifugal_mass_radius, "scene.centrifugal_mass_radius", not_negative,
+           negative},
+          {&Scene::slider_mass_radius, "scene.slider_mass_radius", not_negative, negative},
+          {&Scene::phase, "scene.phase", finite, not_finite},
+          {&Scene::disturbance, "scene.disturbance", finite, not_finite},
+          {&Scene::disturbance_frequency, "scene.disturbance_frequency",
+           ">= 0 [rad/s], at most 1e9", negative},
+          {&Scene::start_position, "scene.start_position", "0..1", {-tiny, 1.01, quiet_nan}},
+          {&Scene::start_velocity, "scene.start_velocity", finite, not_finite},
+          {&Scene::omega, "scene.omega", not_negative, negative},
+          {&Scene::counting_limit, "count.counting_limit", positive, not_positive},
+          {&Scene::peak_high, "count.peak_high", positive, not_positive},
+          {&Scene::peak_low, "count.peak_low", positive, not_positive},
+          {&Scene::stiffness, "model.stiffness", positive, not_positive},
+          {&Scene::contact_exponent, "model.contact_exponent", positive, not_positive},
+      },
+      [](Scene& scene) -> Scene& { return scene; });
+}
 
 TEST(SceneCheck, NamesEveryFieldOfTheSecondDirectionOutOfItsRange) {
   using Y = Across<double>;
-  const double tiny = std::numeric_limits<double>::denorm_min();
-  for (const WrongAcross& wrong : {
-           WrongAcross{&Y::pull, "across.pull", "finite", {infinity, -infinity, nan}},
-           WrongAcross{&Y::wall_lower, "across.wall_lower", "finite", {-infinity, nan}},
-           WrongAcross{&Y::wall_upper, "across.wall_upper", "> wall_lower = 0", {0, -1, nan}},
-           WrongAcross{&Y::restitution_lower, "across.restitution", "0..1", {-tiny, 1.0001, nan}},
-           WrongAcross{&Y::restitution_upper, "across.restitution", "0..1", {-tiny, 1.0001, nan}},
-           WrongAcross{&Y::start_position, "across.start_position", "0..1", {-tiny, 1.01, nan}},
-           WrongAcross{&Y::start_velocity, "across.start_velocity", "finite", {infinity, nan}},
-       }) {
-    for (const double value : wrong.values) {
-      Scene scene;
-      scene.across.emplace().*wrong.field = value;
-      const std::string message = complaint_about(scene);
-      EXPECT_THAT(message, StartsWith("machine: " + wrong.key + " = "));
-      EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
-    }
+  const std::string finite = "within -1e15..1e15";
+  expect_named<Y>(
+      {
+          {&Y::pull, "across.pull", finite, not_finite},
+          {&Y::wall_lower, "across.wall_lower", finite, not_finite},
+          {&Y::wall_upper, "across.wall_upper", "> wall_lower = 0", {0, -1, quiet_nan}},
+          {&Y::restitution_lower, "across.restitution", "0..1", no_fraction},
+          {&Y::restitution_upper, "across.restitution", "0..1", no_fraction},
+          {&Y::start_position, "across.start_position", "0..1", {-tiny, 1.01, quiet_nan}},
+          {&Y::start_velocity, "across.start_velocity", finite, not_finite},
+      },
+      [](Scene& scene) -> Y& { return scene.across.emplace(); });
+}
+
+/// Of rules about several fields, each with the nearest scene that they accept.
+TEST(SceneCheck, NamesFieldsThatDoNotGoTogether) {
+  const Scene rubbed = with(Scene{}, set::contact_friction(true), set::friction(1));
+  const Scene turned = with(Scene{}, set::pull_rotates(true), set::across(Across<double>{}));
+  for (const Scene& accepted :
+       {with(Scene{}, set::friction(1.5)), rubbed, with(Scene{}, set::planar()),
+        with(Scene{}, set::across(Across<double>{})), turned}) {
+    EXPECT_EQ(complaint_about(accepted), "accepted");
   }
-}
-
-TEST(SceneCheck, NeedsASecondDirectionForFidelityPlanarAlone) {
-  Scene scene;
-  scene.fidelity = Fidelity::planar;
-  EXPECT_THAT(complaint_about(scene), HasSubstr("[across]"));
-  scene.across.emplace();
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.fidelity = Fidelity::impact;
-  EXPECT_EQ(complaint_about(scene), "accepted");
-}
-
-TEST(SceneCheck, RefusesAPullAcrossBesideOneThatTurnsThere) {
-  Scene scene;
-  scene.pull_rotates = true;
-  scene.across.emplace();
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.across->pull = 1;
-  EXPECT_THAT(complaint_about(scene), StartsWith("machine: across.pull = 1: must be 0"));
-}
-
-TEST(SceneCheck, RefusesAContactSpeedThatIsNone) {
-  for (const double speed : {0.0, -1.0, infinity, nan}) {
-    Scene scene;
-    scene.contact_speed = speed;
-    EXPECT_THAT(complaint_about(scene), StartsWith("machine: model.contact_speed = "));
+  expect_refused({
+      {with(rubbed, set::friction(1.5)), "scene.friction = 1.5: must be within 0..1"},
+      {with(rubbed, set::across(Across<double>{})), "scene.contact_friction = 1: must be false"},
+      {with(Scene{}, set::fidelity(Fidelity::planar)), "[across]"},
+      {with(turned, set::across(Across<double>{.pull = 1})), "machine: across.pull = 1: must be 0"},
+      {with(Scene{}, set::walls(0, infinity), set::start_position(infinity)),
+       "machine: scene.start_position = inf"},
+      {with(Scene{}, set::profile(Knots{{0.0, 1.0}, {1e-50, 9.0}})),
+       "machine: scene.omega's time = 1e-50: must be"},
+  });
+  for (const double speed : {0.0, -1.0, infinity, quiet_nan}) {
+    expect_refused({{with(Scene{}, set::contact_speed(speed)), "machine: model.contact_speed = "}});
+  }
+  for (const double speed : {-1.0, infinity, quiet_nan}) {
+    expect_refused({{with(Scene{}, set::profile(Knots{{0.0, 1.0}, {1.0, speed}, {2.0, 1.0}})),
+                     fmt::format("machine: scene.omega = {}: must be", speed)}});
   }
 }
 
 TEST(SceneCheck, RefusesARestitutionThatTheContactLawCannotReturn) {
-  Scene scene;
-  scene.contact_exponent = 1;
-  for (double Scene::*wall : {&Scene::restitution_lower, &Scene::restitution_upper}) {
-    scene.restitution_lower = scene.restitution_upper = 0.5;
-    scene.*wall = 0;
+  const Scene linear = with(Scene{}, set::contact_exponent(1), set::restitution(0.5));
+  for (const Scene& scene :
+       {with(linear, set::restitution_lower(0)), with(linear, set::restitution_upper(0))}) {
     for (const ContactLaw law : {ContactLaw::kelvin_voigt, ContactLaw::flores, ContactLaw::gonthier,
                                  ContactLaw::exact_restitution}) {
-      scene.contact_law = law;
-      scene.fidelity = Fidelity::compliant;
-      EXPECT_THAT(complaint_about(scene),
-                  StartsWith("machine: scene.restitution = 0: must be at least 1e-6"));
-      scene.fidelity = Fidelity::impact;
-      EXPECT_EQ(complaint_about(scene), "accepted") << "the law is not used";
+      expect_refused({{with(scene, set::contact_law(law), set::fidelity(Fidelity::compliant)),
+                       "machine: scene.restitution = 0: must be at least 1e-6"}});
+      EXPECT_EQ(complaint_about(with(scene, set::contact_law(law))), "accepted")
+          << "the law is not used";
     }
-    scene.fidelity = Fidelity::compliant;
-    scene.contact_law = ContactLaw::hunt_crossley;
-    EXPECT_EQ(complaint_about(scene), "accepted");
+    EXPECT_EQ(complaint_about(with(scene, set::fidelity(Fidelity::compliant))), "accepted");
   }
 }
 
 TEST(SceneCheck, RefusesAFrictionThatLeavesTheContactLawNoRestitution) {
-  Scene scene;
-  scene.contact_friction = true;
-  scene.contact_law = ContactLaw::flores;
-  scene.friction = 1;
+  const Scene scene = with(Scene{}, set::contact_friction(true), set::friction(1),
+                           set::contact_law(ContactLaw::flores));
   EXPECT_EQ(complaint_about(scene), "accepted") << "the law is not used";
   for (const Fidelity level : {Fidelity::compliant, Fidelity::automatic}) {
-    scene.fidelity = level;
-    scene.friction = 1;
-    EXPECT_THAT(complaint_about(scene),
-                StartsWith("machine: scene.friction = 1: must be at most 0.999999, because"));
-    scene.friction = 0.999999;
-    EXPECT_EQ(complaint_about(scene), "accepted");
-    EXPECT_NO_THROW(record(scene, 0.25, 0));
+    expect_refused({{with(scene, set::fidelity(level)),
+                     "machine: scene.friction = 1: must be at most 0.999999, because"}});
+    const Scene nearly = with(scene, set::fidelity(level), set::friction(0.999999));
+    EXPECT_EQ(complaint_about(nearly), "accepted");
+    EXPECT_NO_THROW(record(nearly, 0.25, 0));
   }
 }
 
-TEST(SceneCheck, RefusesNumbersFarBeyondAnyMachine) {
-  for (double Scene::*field : {&Scene::mass,
-                               &Scene::wall_lower,
-                               &Scene::wall_upper,
-                               &Scene::friction,
-                               &Scene::normal_force,
-                               &Scene::pull,
-                               &Scene::pull_phase,
-                               &Scene::centrifugal_mass_radius,
-                               &Scene::slider_mass_radius,
-                               &Scene::phase,
-                               &Scene::disturbance,
-                               &Scene::disturbance_frequency,
-                               &Scene::disturbance_phase,
-                               &Scene::start_velocity,
-                               &Scene::omega,
-                               &Scene::counting_limit,
-                               &Scene::peak_high,
-                               &Scene::peak_low,
-                               &Scene::stiffness,
-                               &Scene::contact_exponent}) {
-    Scene scene;
-    scene.*field = 1e16;
-    EXPECT_THAT(complaint_about(scene), HasSubstr("1e+16: must be"));
-  }
-  for (double Scene::*field : {&Scene::mass, &Scene::counting_limit, &Scene::stiffness}) {
-    Scene scene;
-    scene.*field = 0.9e-15;
-    EXPECT_THAT(complaint_about(scene), HasSubstr("within 1e-15..1e15"));
-  }
-}
-
-/// No step of an integration is small enough for the jump of such a force.
-TEST(SceneCheck, RefusesAContactThatIsInfinitelyStiffAtTheSurface) {
-  Scene scene;
-  scene.contact_exponent = 0.99;
-  EXPECT_EQ(complaint_about(scene), "accepted") << "hard walls have no use for it";
+/// No step of an integration is small enough for the jump of a force whose exponent is below 1.
+TEST(SceneCheck, RefusesAnExponentThatTheContactDoesNotHave) {
+  const Scene stiff = with(Scene{}, set::contact_exponent(0.99));
+  EXPECT_EQ(complaint_about(stiff), "accepted") << "hard walls have no use for it";
   for (const Fidelity fidelity : {Fidelity::compliant, Fidelity::automatic}) {
-    scene.fidelity = fidelity;
-    scene.contact_exponent = 0.99;
-    EXPECT_THAT(complaint_about(scene), HasSubstr("contact_exponent = 0.99: must be at least 1"));
-    scene.contact_exponent = 1;
-    EXPECT_EQ(complaint_about(scene), "accepted");
+    expect_refused(
+        {{with(stiff, set::fidelity(fidelity)), "contact_exponent = 0.99: must be at least 1"}});
+    EXPECT_EQ(complaint_about(with(stiff, set::fidelity(fidelity), set::contact_exponent(1))),
+              "accepted");
+  }
+  const Scene linear =
+      with(Scene{}, set::fidelity(Fidelity::compliant), set::contact_law(ContactLaw::kelvin_voigt));
+  expect_refused({{linear, "machine: model.contact_exponent = 1.5: must be 1"}});
+  EXPECT_EQ(complaint_about(with(linear, set::contact_exponent(1))), "accepted");
+}
+
+TEST(SceneCheck, RefusesAWindowThatIsEmptyOrOfPeriodsWithoutNumber) {
+  for (const double count : {0.0, -1.0, infinity, quiet_nan}) {
+    expect_refused({{with(Scene{}, set::seconds(count)), "machine: window.seconds = "},
+                    {with(Scene{}, set::revolutions(count)), "machine: window.revolutions = "}});
+  }
+  const Scene lasting = with(Scene{}, set::seconds(1e4), set::disturbance_frequency(1e9));
+  EXPECT_EQ(complaint_about(lasting), "accepted") << "nothing disturbs";
+  expect_refused({
+      {with(Scene{}, set::revolutions(1.001e6)),
+       "machine: window.revolutions = 1001000: must be at most 1000000"},
+      {with(lasting, set::disturbance(1)), "seconds = 10000: must be at most 0.0062831"},
+      {with(lasting, set::profile(Knots{{0.0, 1.0}, {1.0, 700.0}, {2.0, 1.0}})), "of 700 rad/s"},
+      {with(Scene{}, set::omega(1e-12), set::revolutions(1e5)),
+       "machine: window.revolutions = 100000: must be"},
+  });
+}
+
+TEST(SceneCheck, OfASpeedAloneLooksAtTheWindow) {
+  const auto complaint = [](const Scene& scene) {
+    return complaint_of([&] { check_omega(scene, "command line", "--omega"); });
+  };
+  const Scene standing = with(Scene{}, set::omega(0));
+  EXPECT_EQ(complaint(standing), "accepted");
+  EXPECT_THAT(complaint(with(standing, set::revolutions(1))),
+              AllOf(StartsWith("command line: --omega = 0: must be"), HasSubstr("revolutions")));
+  EXPECT_THAT(complaint(with(Scene{}, set::omega(1e3), set::seconds(1e4))),
+              StartsWith("command line: window.seconds = 10000: must be at most"));
+}
+
+/// The fitted start and window are those of a short look at a carrier that was thrown in.
+TEST(SceneDoubts, OfThePapersCasesAreAboutTheirStartAlone) {
+  for (const Case& a_case : all_cases()) {
+    EXPECT_THAT(doubts_about(case_scene(a_case.id)),
+                ElementsAre(HasSubstr("scene.start_velocity = 0.5987 m/s"),
+                            HasSubstr("window: 1.38 turns")))
+        << a_case.id;
   }
 }
 
-TEST(SceneCheck, RefusesAWindowOfPeriodsWithoutNumber) {
-  Scene scene;
-  scene.window = Revolutions{1e6};
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.window = Revolutions{1.001e6};
-  EXPECT_THAT(complaint_about(scene),
-              StartsWith("machine: window.revolutions = 1001000: must be at most 1000000"));
-  scene.window = Seconds{1e4};
-  scene.disturbance_frequency = 1e9;
-  EXPECT_EQ(complaint_about(scene), "accepted") << "nothing disturbs";
-  scene.disturbance = 1;
-  EXPECT_THAT(complaint_about(scene), HasSubstr("seconds = 10000: must be at most 0.0062831"));
-  scene.disturbance = 0;
-  scene.profile = {{0.0, 1.0}, {1.0, 700.0}, {2.0, 1.0}};
-  EXPECT_THAT(complaint_about(scene), HasSubstr("of 700 rad/s"));
-  scene.profile.clear();
-  scene.omega = 1e-12;
-  scene.window = Revolutions{1e5};
-  EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.revolutions = 100000: must be"));
-  scene.window = Seconds{1e4};
-  scene.omega = 1e3;
-  EXPECT_THROW(check_omega(scene, "command line", "--omega"), InputError);
+Scene plausible() {
+  return with(Scene{}, set::mass(1.2), set::centrifugal_mass_radius(1.2 * 0.065),
+              set::walls(0, 0.8e-3), set::restitution(0.5), set::friction(0.2),
+              set::normal_force(11.8), set::disturbance(0.1), set::start(0, 0), set::omega(6),
+              set::revolutions(10), set::counting_limit(5e-3));
 }
 
-TEST(SceneCheck, RefusesKnotsThatAreOneButForRounding) {
-  Scene scene;
-  scene.profile = {{0.0, 1.0}, {1e-9, 9.0}};
-  EXPECT_EQ(complaint_about(scene), "accepted");
-  scene.profile[1].time = 1e-50;
-  EXPECT_THAT(complaint_about(scene), StartsWith("machine: scene.omega's time = 1e-50: must be"));
+template <class... Slips>
+std::vector<std::string> doubts_after(const Slips&... slips) {
+  return doubts_about(with(plausible(), slips...));
 }
 
-TEST(SceneCheck, RefusesAnExponentThatKelvinVoigtDoesNotHave) {
-  Scene scene;
-  scene.fidelity = Fidelity::compliant;
-  scene.contact_law = ContactLaw::kelvin_voigt;
-  EXPECT_THAT(complaint_about(scene),
-              StartsWith("machine: model.contact_exponent = 1.5: must be 1"));
-  scene.contact_exponent = 1;
-  EXPECT_EQ(complaint_about(scene), "accepted");
+TEST(SceneDoubts, NameEverySlip) {
+  EXPECT_THAT(doubts_after(), IsEmpty());
+  EXPECT_THAT(doubts_after(set::wall_upper(infinity)), IsEmpty());
+  const Scene grams = with(plausible(), set::mass(1200), set::normal_force(11772),
+                           set::friction(0.01), set::centrifugal_mass_radius(78));
+  const Scene feather = with(plausible(), set::mass(1e-4), set::normal_force(1e-3),
+                             set::centrifugal_mass_radius(6.5e-6), set::disturbance(0));
+  EXPECT_THAT(doubts_about(grams), ElementsAre(HasSubstr("scene.mass = 1200 kg")));
+  EXPECT_THAT(doubts_about(feather), ElementsAre(HasSubstr("scene.mass = 0.0001 kg")));
+  const auto expect_one = [](const std::string& said, const auto&... slips) {
+    EXPECT_THAT(doubts_after(slips...), ElementsAre(HasSubstr(said)));
+  };
+  expect_one("are these millimetres?", set::wall_upper(0.8));
+  expect_one("a fifth of the path radius", set::wall_upper(0.02));
+  expect_one("hardly any play", set::wall_upper(9e-7), set::counting_limit(1e-3));
+  expect_one("nothing to multiply", set::normal_force(0));
+  expect_one("the weight is 11.77 N", set::normal_force(120));
+  expect_one("the weight is 11.77 N", set::normal_force(1.1));
+  expect_one("scene.friction = 1.1", set::friction(1.1));
+  expect_one("scene.restitution = [0.5, 1]", set::restitution_upper(1));
+  expect_one("scene.start_velocity = -9 m/s", set::start_velocity(-9));
+  expect_one("never changes", set::disturbance_frequency(0));
+  expect_one("count.counting_limit = 2 m/s", set::counting_limit(2));
+  expect_one("2865 turns a minute", set::omega(300));
+  expect_one("0.477 turns", set::seconds(0.5));
 }
 
-TEST(SceneCheck, NeverLetsABodyStartAtInfinity) {
-  Scene scene;
-  scene.wall_upper = scene.start_position = infinity;
-  EXPECT_THAT(complaint_about(scene), StartsWith("machine: scene.start_position"));
-}
-
-TEST(SceneCheck, RefusesAnEmptyWindow) {
-  for (const double count : {0.0, -1.0, infinity, nan}) {
-    Scene scene;
-    scene.window = Seconds{count};
-    EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.seconds = "));
-    scene.window = Revolutions{count};
-    EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.revolutions = "));
-  }
-}
-
-TEST(SceneCheck, NeedsASpeedForAWindowInRevolutions) {
-  Scene scene;
-  scene.omega = 0.0;
-  EXPECT_NO_THROW(check_omega(scene, "command line", "--omega"));
-  scene.window = Revolutions{1.0};
-  try {
-    check_omega(scene, "command line", "--omega");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), StartsWith("command line: --omega = 0: must be"));
-    EXPECT_THAT(error.what(), HasSubstr("revolutions"));
-  }
+TEST(SceneDoubts, CompareConstantsWithEachOther) {
+  EXPECT_THAT(doubts_after(set::centrifugal_mass_radius(78)),
+              Contains(HasSubstr("a path radius of 65 m, not within 0.01..1 m")));
+  EXPECT_THAT(doubts_after(set::centrifugal_mass_radius(0.0078)),
+              Contains(HasSubstr("a path radius of 0.0065 m")));
+  const auto expect_one = [](const std::string& said, const auto&... slips) {
+    EXPECT_THAT(doubts_after(slips...), ElementsAre(HasSubstr(said)));
+  };
+  expect_one("= 54 N: holds the carrier at every speed up to 18 rad/s", set::friction(0.9),
+             set::normal_force(60));
+  expect_one("holds the carrier up to 0.087 rad/s (0.831 rpm) only", set::friction(5e-5),
+             set::disturbance(0));
+  // 18 rad/s: (0.078 18^2 + 0.1 - 2.36) N over 1.2 kg give 0.175 m/s in 0.8 mm.
+  expect_one("only 0.175 m/s across the clearance", set::counting_limit(0.18));
+  expect_one("rebounds count that nobody hears", set::counting_limit(1e-6));
+  // 6 rad/s: (2.808 + 0.1 - 2.36) N give 0.027 m/s.
+  expect_one("-0.09 m/s: at scene.omega = 6 rad/s the forces give the carrier 0.027 m/s across",
+             set::start_velocity(-0.09));
+  expect_one("window: 4 turns at scene.omega: the first impacts are", set::revolutions(4));
 }
 
 }  // namespace

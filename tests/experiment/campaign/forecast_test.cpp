@@ -1,9 +1,8 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <pty.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <limits>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -11,33 +10,44 @@
 #include <vector>
 
 #include "ricochet/evaluator.h"
+#include "src/core/time_limit.h"
 #include "src/experiment/planned_runs.h"
-#include "tests/experiment/campaign/made_up_catalogue.h"
+#include "tests/support/campaigns.h"
+#include "tests/support/pipe.h"
 
 namespace ricochet {
 namespace {
 
 /// Processor time [s] that is burnt.
 void burn(double seconds) {
-  Stopwatch stopwatch;
-  while (stopwatch.read() < seconds) {
+  const double end = processor_seconds() + seconds;
+  while (processor_seconds() < end) {
   }
 }
 
-Forecast foretold(double simulation, double solver, const std::string& rest) {
+/// A catalogue whose first problem and solver can be changed.
+struct Changed {
   Catalogue catalogue = made_up_catalogue();
   Problem& problem = catalogue.families[0].problems[0];
-  problem.evaluate = [evaluate = problem.evaluate, simulation](const Vector& x) {
+  Solver& solver = catalogue.solvers[0];
+
+  Forecast forecast(const std::string& rest, const std::string& problems = "\"bowl-1\"") const {
+    return forecast_of(made_up_campaign(part_of(problems, rest), catalogue));
+  }
+};
+
+/// Of a problem that takes so long for each evaluation, and of a solver between them.
+Forecast foretold(double simulation, double between, const std::string& rest) {
+  Changed changed;
+  changed.problem.evaluate = [evaluate = changed.problem.evaluate, simulation](const Vector& x) {
     burn(simulation);
     return evaluate(x);
   };
-  catalogue.solvers[0].solve = [solver](Evaluator& evaluator, const Vector& start, Random&) {
-    while (evaluator.objective(start)) burn(solver);
+  changed.solver.solve = [between](Evaluator& evaluator, const Vector& start, Random&) {
+    while (evaluator.objective(start)) burn(between);
     return SolverTermination{"spent"};
   };
-  return forecast_of(Campaign(
-      plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\n" + rest, "test"),
-      catalogue));
+  return changed.forecast(rest);
 }
 
 TEST(Forecast, IsTheTimeOfSimulationsAndOfTheSolver) {
@@ -59,8 +69,8 @@ TEST(Forecast, HasItsShareForEveryRun) {
 
 TEST(Forecast, HasEveryEvaluationThatTheScorerMakes) {
   // The least of three: other work of the machine only adds.
-  const auto least = [](const std::string& perturbation) {
-    double seconds = std::numeric_limits<double>::infinity();
+  const auto least_of_three = [](const std::string& perturbation) {
+    double seconds = infinity;
     for (int k = 0; k < 3; ++k) {
       const Forecast forecast = foretold(
           5e-4, 0, "budgets = 100\ninstances = 10\nperturbations = \"" + perturbation + "\"");
@@ -68,32 +78,27 @@ TEST(Forecast, HasEveryEvaluationThatTheScorerMakes) {
     }
     return seconds;
   };
-  const double plain = least("plain");
-  const double noisy = least("noisy");
+  const double plain = least_of_three("plain");
+  const double noisy = least_of_three("noisy");
   EXPECT_GT(noisy, 1.6 * plain);
   EXPECT_LT(noisy, 2.4 * plain);
 }
 
 TEST(Forecast, HasTheStartOfASolverOnceForEveryProcess) {
-  Catalogue catalogue = made_up_catalogue();
-  catalogue.solvers[0].solve = [solve = catalogue.solvers[0].solve,
-                                started = std::make_shared<bool>(false)](
-                                   Evaluator& evaluator, const Vector& start, Random& random) {
+  Changed changed;
+  changed.solver.solve = [solve = changed.solver.solve, started = std::make_shared<bool>(false)](
+                             Evaluator& evaluator, const Vector& start, Random& random) {
     if (!std::exchange(*started, true)) burn(0.05);
     return solve(evaluator, start, random);
   };
-  const Forecast forecast = forecast_of(
-      Campaign(plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 2\n"
-                         "instances = 100",
-                         "test"),
-               catalogue));
+  const Forecast forecast = changed.forecast("budgets = 2\ninstances = 100");
   EXPECT_GT(forecast.runs, 0.05);
   EXPECT_LT(forecast.runs, 100 * 0.05 / 2) << "not for every run, though on a busy machine";
 }
 
 TEST(Forecast, HasTheSearchForBestValues) {
-  Catalogue catalogue = made_up_catalogue();
-  catalogue.grid_problems = [](const MachineGrid&) {
+  Changed changed;
+  changed.catalogue.grid_problems = [](const MachineGrid&) {
     Problem slow = bowl("bowl-slow", 1);
     slow.scan_step = 1e-3;
     slow.evaluate = [evaluate = slow.evaluate](const Vector& x) {
@@ -103,24 +108,19 @@ TEST(Forecast, HasTheSearchForBestValues) {
     return std::vector{searched(slow, nullptr)};
   };
   const Forecast forecast =
-      forecast_of(Campaign(plan_from("[[part]]\nmachines = { around = \"C1\" }\nproblems = \"*\"\n"
-                                     "solvers = \"chance-a\"\nbudgets = 2\ninstances = 1",
-                                     "test"),
-                           catalogue));
+      changed.forecast("machines = { around = \"C1\" }\nbudgets = 2\ninstances = 1", "\"*\"");
   EXPECT_GE(forecast.search, 0.49) << "1000 steps of at least 0.5 ms";
   EXPECT_LT(forecast.search, 5) << "a busy machine takes longer, but not so much";
 }
 
 TEST(Forecast, IsALowerLimitWhereASolverCannotBeTimed) {
-  Catalogue catalogue = made_up_catalogue();
-  const auto plan = plan_from(
-      "[[part]]\nproblems = \"bowl-1\"\nsolvers = [\"chance-a\", \"chance-b\"]\nbudgets = 2",
-      "test");
-  EXPECT_FALSE(forecast_of(Campaign(plan, catalogue)).at_least);
-  catalogue.solvers[1].solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
+  Changed changed;
+  const std::string both = "solvers = [\"chance-a\", \"chance-b\"]\nbudgets = 2";
+  EXPECT_FALSE(changed.forecast(both).at_least);
+  changed.solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
     throw std::runtime_error("not started");
   };
-  EXPECT_TRUE(forecast_of(Campaign(plan, catalogue)).at_least);
+  EXPECT_TRUE(changed.forecast(both).at_least);
 }
 
 TEST(Forecast, SharesAllButThePagesAmongCores) {
@@ -130,43 +130,25 @@ TEST(Forecast, SharesAllButThePagesAmongCores) {
 }
 
 TEST(Forecast, ShowsItsProgressOnATerminal) {
-  int ours = -1;
-  int terminal = -1;
-  ASSERT_EQ(openpty(&ours, &terminal, nullptr, nullptr, nullptr), 0);
-  const int standard_error = dup(STDERR_FILENO);
-  dup2(terminal, STDERR_FILENO);
-  foretold(0, 0, "budgets = 2");
-  dup2(standard_error, STDERR_FILENO);
-  std::string shown(1000, '\0');
-  shown.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(ours, shown.data(), 1000))));
-  EXPECT_NE(shown.find("timing problems"), std::string::npos) << shown;
-  for (const int each : {ours, terminal, standard_error}) close(each);
+  EXPECT_THAT(shown_on_terminal([] { foretold(0, 0, "budgets = 2"); }),
+              testing::HasSubstr("timing problems"));
 }
 
 TEST(Forecast, OutlivesAProblemThatThrows) {
-  Catalogue catalogue = made_up_catalogue();
-  Problem& problem = catalogue.families[0].problems[0];
-  problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("ill"); };
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 5", "test"),
-      catalogue);
-  EXPECT_GT(forecast_of(campaign).runs, 0);
+  Changed changed;
+  changed.problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("ill"); };
+  EXPECT_GT(changed.forecast("budgets = 5").runs, 0);
 }
 
 /// It does not evaluate the problem in this process, and expects that its runs hang.
 TEST(Forecast, OutlivesAProblemThatHangs) {
-  Catalogue catalogue = made_up_catalogue();
-  Problem& problem = catalogue.families[0].problems[0];
-  problem.hazardous = true;
-  problem.longest_run = 2;
-  problem.evaluate = [](const Vector&) -> Values { std::abort(); };
-  problem.true_values = [](const Vector&) { return TrueValues{}; };
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = \"chance-a\"\n"
-                "budgets = 5\ninstances = 3",
-                "test"),
-      catalogue);
-  const Forecast forecast = forecast_of(campaign);
+  Changed changed;
+  changed.problem.hazardous = true;
+  changed.problem.longest_run = 2;
+  changed.problem.evaluate = [](const Vector&) -> Values { std::abort(); };
+  changed.problem.true_values = [](const Vector&) { return TrueValues{}; };
+  const Forecast forecast =
+      changed.forecast("budgets = 5\ninstances = 3", "[\"bowl-1\", \"bowl-2\"]");
   EXPECT_GT(forecast.runs, 6);
   EXPECT_LT(forecast.runs, 7);
   EXPECT_FALSE(forecast.at_least);

@@ -5,18 +5,24 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 
-#include "ricochet/error.h"
+#include "src/experiment/archive.h"
+#include "src/experiment/archived_campaign.h"
 #include "src/experiment/planned_runs.h"
-#include "tests/support/files.h"
-#include "tests/experiment/campaign/made_up_campaign.h"
+#include "tests/experiment/store/stored.h"
 
 namespace ricochet {
 namespace {
 
+namespace fs = std::filesystem;
+using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
+
+Provenance of_version(const std::string& version) {
+  return {{{"version", version}}, {}};
+}
 
 const std::string grid =
     part_of("\"bowl-*\"", "machines = {around = \"C1\", restitution = [0.25, 0.5]}");
@@ -24,16 +30,20 @@ const std::string grid =
 class StoredCampaigns : public TemporaryFolder {
  protected:
   StoredCampaign opened(const std::string& plan, const std::string& version = "1") const {
-    return stored_campaign(plan_from(plan, "test"), catalogue_, folder_ / "runs.sqlite",
-                           {{{"version", version}}, {}});
+    return stored_campaign(plan_from(plan, "test"), catalogue_, file_, of_version(version));
   }
 
+  std::string complaint(const std::string& plan, const std::string& version) const {
+    return complaint_of([&] { return opened(plan, version); });
+  }
+
+  const fs::path file_ = folder_ / "runs.sqlite";
   std::shared_ptr<int> searches_ = std::make_shared<int>(0);
   Catalogue catalogue_ = searched_catalogue(searches_);
 };
 
 TEST_F(StoredCampaigns, SearchOnceAndReadTheFindingsFromTheStoreAfterwards) {
-  const Campaign planned(plan_from(grid, "test"), catalogue_);
+  const Campaign planned = made_up_campaign(grid, catalogue_);
   EXPECT_EQ(planned.to_search().size(), 2U);
   EXPECT_EQ(planned.runs(), 2 * 15);
   EXPECT_EQ(*searches_, 0) << "a plan is checked without a search";
@@ -43,8 +53,8 @@ TEST_F(StoredCampaigns, SearchOnceAndReadTheFindingsFromTheStoreAfterwards) {
     EXPECT_TRUE(stored.campaign.to_search().empty());
     EXPECT_EQ(stored.store.description().problems[0].findings, (Findings{{"best_point", 0.3}}));
     make_runs(stored.campaign, {}, stored.store);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "runs.sqlite-wal")) << "it can be copied now";
-    EXPECT_EQ(caution(folder_ / "runs.sqlite"), "");
+    EXPECT_FALSE(fs::exists(folder_ / "runs.sqlite-wal")) << "it can be copied now";
+    EXPECT_EQ(caution(file_), "");
   }
   const StoredCampaign again = opened(grid);
   EXPECT_EQ(*searches_, 2);
@@ -55,7 +65,7 @@ TEST_F(StoredCampaigns, SearchOnceAndReadTheFindingsFromTheStoreAfterwards) {
 TEST_F(StoredCampaigns, LeaveOutWhatIsFeasibleNowhere) {
   const std::string plan =
       part_of("\"bowl-*\"", "machines = {around = \"nowhere\", restitution = [0.25, 0.5, 1]}");
-  EXPECT_EQ(Campaign(plan_from(plan, "test"), catalogue_).to_search().size(), 3U);
+  EXPECT_EQ(made_up_campaign(plan, catalogue_).to_search().size(), 3U);
   EXPECT_EQ(opened(plan).campaign.problems().size(), 2U) << "not of restitution 1";
   EXPECT_EQ(opened(plan).campaign.problems().size(), 2U) << "the store knows that, too";
   EXPECT_EQ(*searches_, 3);
@@ -72,24 +82,15 @@ TEST_F(StoredCampaigns, AskOfMachinesThatAreDrawn) {
 TEST_F(StoredCampaigns, RefuseAStoreOfAnotherPlanProgramOrData) {
   const std::string plan = part_of("\"bowl-1\"");
   { opened(plan); }
-  const auto expect_refused = [&](const std::string& asked, const std::string& version,
-                                  const std::string& reason) {
-    EXPECT_THAT([&] { opened(asked, version); },
-                ThrowsMessage<InputError>(HasSubstr("runs.sqlite: is " + reason)));
-  };
-  expect_refused(part_of("\"bowl-2\""), "1", "of another plan");
-  expect_refused(plan, "2", "made by another program");
-  catalogue_.families[0].problems[0].upper[0] = 2;
-  expect_refused(plan, "1", "of other problems");
-}
-
-TEST_F(StoredCampaigns, AreReadByAnyProgramWhereNoRunIsMissing) {
-  const std::string plan = part_of("\"bowl-1\"");
+  EXPECT_THAT(complaint(part_of("\"bowl-2\""), "1"), HasSubstr("runs.sqlite: is of another plan"));
+  EXPECT_THAT(complaint(plan, "2"), HasSubstr("runs.sqlite: is made by another program"));
   {
     StoredCampaign stored = opened(plan);
     make_runs(stored.campaign, {}, stored.store);
   }
-  EXPECT_EQ(opened(plan, "2").store.size(), 15);
+  EXPECT_EQ(opened(plan, "2").store.size(), 15) << "no run is missing: anybody may read it";
+  catalogue_.families[0].problems[0].upper[0] = 2;
+  EXPECT_THAT(complaint(plan, "1"), HasSubstr("runs.sqlite: is of other problems"));
 }
 
 /// The made-up catalogue, whose user's solver ./mine has this version and content.
@@ -123,16 +124,14 @@ TEST_F(StoredCampaigns, LeaveRunsOfAChangedUsersSolverToBeMade) {
   EXPECT_EQ(runs_with("1", "b"), 15);
   EXPECT_EQ(runs_with("2", "b"), 15);
   catalogue_ = with_mine(base, "2", "c");
-  EXPECT_THAT(
-      [&] { opened(plan, "2"); },
-      ThrowsMessage<InputError>(HasSubstr("a solver that has changed, and made by another")));
-  EXPECT_EQ(Store::open(folder_ / "runs.sqlite", Store::For::reading).size(), 30);
+  EXPECT_THAT(complaint(plan, "2"), HasSubstr("a solver that has changed, and made by another"));
+  EXPECT_EQ(reading(file_).size(), 30);
 }
 
 TEST_F(StoredCampaigns, SearchWhatOnlyAChangedSolverTakes) {
-  const std::string plan = grid + part_of("\"cup-2\"",
-                                          "solvers = [\"./mine\"]\n"
-                                          "formulations = [\"original\", \"penalised\"]");
+  const std::string plan =
+      grid +
+      part_of("\"cup-2\"", "solvers = [\"./mine\"]\nformulations = [\"original\", \"penalised\"]");
   const Catalogue base = catalogue_;
   catalogue_ = with_mine(base, "1", "a");
   EXPECT_EQ(opened(plan).campaign.runs(), 2 * 15 + 15);
@@ -153,6 +152,140 @@ TEST_F(StoredCampaigns, KeepWhatAUsersSolverTakes) {
       EXPECT_EQ(capabilities_from(text_of(capabilities)), capabilities) << text_of(capabilities);
     }
   }
+}
+
+/// An archive of the runs of two solvers on two problems, made by the catalogue.
+class ArchivedCampaign : public TemporaryFolder {
+ protected:
+  const Catalogue catalogue_ = made_up_catalogue();
+  const fs::path archive_ = folder_ / "archive", made_ = folder_ / "made.sqlite",
+                 runs_ = folder_ / "runs.sqlite";
+
+  static Plan plan_of_instances(int count) {
+    return plan_from(
+        "name = \"all\"\n" + part_of("\"bowl-[12]\"", "solvers = \"chance-*\"\ninstances = " +
+                                                          std::to_string(count)),
+        "test");
+  }
+
+  void SetUp() override {
+    TemporaryFolder::SetUp();
+    StoredCampaign made = stored_campaign(plan_of_instances(3), catalogue_, made_, of_version("1"));
+    make_runs(made.campaign, {}, made.store);
+    write_archive(made.store, archive_, [](const RunKey&) { return true; });
+  }
+
+  CampaignDescription described() const { return reading(archive_).description(); }
+
+  Plan against(const Catalogue& catalogue) const {
+    return plan_against(described(), {"./mine"}, catalogue);
+  }
+
+  /// The same catalogue, where bowl-2 is another problem.
+  Catalogue with_another_problem() const {
+    Catalogue changed = catalogue_;
+    changed.families[0].problems[1].tolerance = 0.125;
+    return changed;
+  }
+};
+
+TEST_F(ArchivedCampaign, LeavesOnlyTheUsersRunsToBeMade) {
+  const Plan plan = against(catalogue_);
+  EXPECT_EQ(plan.name, "compare against all");
+  EXPECT_THAT(plan.parts[0].solvers, ElementsAre("chance-a", "chance-b", "./mine"));
+  start_against(reading(archive_), archive_, Campaign(plan, catalogue_), of_version("2"), runs_);
+  StoredCampaign joint = stored_campaign(plan, catalogue_, runs_, of_version("2"));
+  EXPECT_EQ(joint.store.size(), 2 * 2 * 3);
+  EXPECT_EQ(joint.campaign.runs(), 3 * 2 * 3);
+  const PlannedRuns left(joint.campaign, {}, joint.store.keys());
+  std::set<std::string> solvers;
+  for (const PlannedRun& run : left.all()) solvers.insert(run.key.cell.solver);
+  EXPECT_THAT(solvers, ElementsAre("mine"));
+  make_runs(joint.campaign, {}, joint.store);
+  EXPECT_EQ(joint.store.size(), joint.campaign.runs());
+}
+
+TEST_F(ArchivedCampaign, ComparesOnSomeOfItsProblems) {
+  const auto plan_on = [&](const std::string& problems) {
+    return plan_against(described(), {"./mine"}, catalogue_, {problems});
+  };
+  const Plan plan = plan_on("*-2");
+  ASSERT_EQ(plan.parts.size(), 1U);
+  EXPECT_THAT(plan.parts[0].problems, ElementsAre("bowl-2"));
+  const Campaign campaign(plan, catalogue_);
+  EXPECT_EQ(campaign.runs(), 3 * 3);
+  start_against(reading(archive_), archive_, campaign, of_version("2"), runs_);
+  EXPECT_EQ(reading(runs_).size(), 2 * 3);
+  EXPECT_THAT(complaint_of([&] { return plan_on("bowl-8"); }), HasSubstr("bowl-8"));
+}
+
+TEST_F(ArchivedCampaign, LeavesOutSolversThatAreNotThere) {
+  Catalogue here = catalogue_;
+  std::erase_if(here.solvers, [](const Solver& solver) { return solver.name == "chance-a"; });
+  here.solvers[0].version = "1.1";
+  EXPECT_THAT(against(here).parts[0].solvers, ElementsAre("chance-b", "./mine"));
+  const ChangedSolvers changes = changed_solvers(described(), here);
+  EXPECT_THAT(changes.missing, ElementsAre("chance-a"));
+  EXPECT_THAT(changes.changed, ElementsAre("chance-b (1, here 1.1)"));
+}
+
+TEST_F(ArchivedCampaign, IsRefusedIfAProblemIsAnotherOne) {
+  const Catalogue changed = with_another_problem();
+  const Campaign campaign(against(changed), changed);
+  const auto start = [&] {
+    start_against(reading(archive_), archive_, campaign, {}, runs_);
+    return 0;
+  };
+  EXPECT_THAT(complaint_of(start), HasSubstr("the hashes of 1 of 2 differ: bowl-2"));
+  EXPECT_FALSE(fs::exists(runs_));
+}
+
+TEST_F(ArchivedCampaign, LeavesRunsOfChangedProblemsAndSolversToBeMade) {
+  Catalogue changed = with_another_problem();
+  std::ranges::find(changed.solvers, "chance-a", &Solver::name)->version = "3";
+  const Plan plan = plan_of_instances(4);
+  start_from({made_, archive_}, Campaign(plan, changed), of_version("2"), runs_);
+  StoredCampaign joint = stored_campaign(plan, changed, runs_, of_version("2"));
+  std::set<std::string> taken;
+  for (const RunKey& key : joint.store.keys()) taken.insert(address_of(key));
+  EXPECT_THAT(taken, ElementsAre("bowl-1/original/plain/chance-b/10/n/1/0",
+                                 "bowl-1/original/plain/chance-b/10/n/2/0",
+                                 "bowl-1/original/plain/chance-b/10/n/3/0"));
+  make_runs(joint.campaign, {}, joint.store);
+  EXPECT_EQ(joint.store.size(), 2 * 2 * 4);
+}
+
+TEST_F(ArchivedCampaign, OfAnArchiveStaysOne) {
+  const Campaign campaign(plan_of_instances(2), catalogue_);
+  for (const auto& [earlier, archived] : {std::pair(made_, false), {archive_, true}}) {
+    start_from({earlier}, campaign, {}, runs_);
+    EXPECT_EQ(reading(runs_).size(), 2 * 2 * 2);
+    EXPECT_EQ(is_archived(reading(runs_).description()), archived);
+    fs::remove(runs_);
+  }
+}
+
+TEST_F(ArchivedCampaign, TakesInTheRunsOfAnotherSolver) {
+  const CampaignDescription ours = described();
+  const CampaignDescription theirs = description_of(Campaign(against(catalogue_), catalogue_), {});
+  const CampaignDescription all = united(ours, theirs);
+  ASSERT_EQ(all.solvers.size(), 3U);
+  EXPECT_EQ(all.solvers[2].name, "mine");
+  EXPECT_THAT(plan_from(all.plan, "test").parts[0].solvers, ElementsAre("chance-*", "./mine"));
+  CampaignDescription other = theirs;
+  other.solvers[0].version = "3";
+  EXPECT_THAT(complaint_of([&] { return united(ours, other); }),
+              HasSubstr("chance-a in version 1, this in version 3"));
+  other = theirs;
+  other.problems[0].hash = "another";
+  EXPECT_THAT(complaint_of([&] { return united(ours, other); }), HasSubstr("bowl-1"));
+  CampaignDescription first = ours;
+  first.solvers.push_back({"mine", "1", "a"});
+  CampaignDescription second = first;
+  EXPECT_EQ(united(first, second), first);
+  second.solvers.back().content = "b";
+  EXPECT_THAT(complaint_of([&] { return united(first, second); }),
+              HasSubstr("has runs of another mine"));
 }
 
 }  // namespace

@@ -1,23 +1,28 @@
 #include "src/experiment/worker.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "ricochet/error.h"
+#include "src/core/files.h"
+#include "tests/support/campaigns.h"
+#include "tests/support/files.h"
+#include "tests/support/pipe.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet {
 namespace {
@@ -26,16 +31,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// (x - 0.3)^2 on [0, 1], from 1.
-Problem valley() {
-  Problem problem;
-  problem.name = "valley";
-  problem.lower = Vector::Zero(1);
-  problem.upper = Vector::Ones(1);
-  problem.start = Vector::Ones(1);
-  problem.evaluate = [](const Vector& x) { return Values{std::pow(x[0] - 0.3, 2), {}}; };
-  return problem;
-}
+const Problem valley = bowl("valley", 1);
 
 /// Asks for 0.5, where the valley is better than at its start, and then does something else.
 Solver that(std::function<void()> does) {
@@ -49,104 +45,79 @@ Solver that(std::function<void()> does) {
   return solver;
 }
 
-/// Its run, and that of a harmless one after it.
-std::vector<RunRecord> records_of(const Problem& problem, const Solver& solver, Limits limits) {
-  const Solver harmless = that([] {});
-  const std::vector<Job> jobs = {{&problem, &solver, {20}, 3}, {&problem, &harmless, {20}, 0}};
+void sleep_for_an_hour() {
+  std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+std::vector<RunRecord> records_of(const std::vector<Job>& jobs, const Limits& limits = {}) {
   std::vector<RunRecord> records(jobs.size());
   run_all(jobs, limits, [&](std::size_t job, RunRecord record) { records[job] = record; });
   return records;
 }
 
-/// What has become of a run that did this; the harmless one is never touched.
-RunRecord run_that(const std::function<void()>& does, Limits limits = {60, 256}) {
-  const Problem problem = valley();
-  const auto records = records_of(problem, that(does), limits);
+/// What has become of a run of this solver; a harmless one after it is never touched.
+RunRecord record_of(const Problem& problem, const Solver& solver,
+                    const Limits& limits = {60, 256}) {
+  const Solver harmless = that([] {});
+  const auto records =
+      records_of({{&problem, &solver, {20}, 3}, {&valley, &harmless, {20}, 0}}, limits);
   EXPECT_THAT(records[1].failure, IsEmpty());
   EXPECT_EQ(records[1].ledger.charged, 20);
   EXPECT_EQ(records[1].terminations.size(), 21U);
   return records[0];
 }
 
-/// Whose run failed, which keeps what it had found and is charged all.
-void expect_failed(const RunRecord& record, const testing::Matcher<std::string>& failure) {
-  EXPECT_THAT(record.failure, failure);
-  ASSERT_EQ(record.trace.size(), 1U);
-  EXPECT_EQ(record.trace[0].x[0], 0.5);
-  EXPECT_DOUBLE_EQ(record.trace[0].true_values.objective, 0.04);
+/// Of a run that did this, which keeps what it had found and is charged all.
+std::string failure_of(const std::function<void()>& does, const Limits& limits = {60, 256}) {
+  const RunRecord record = record_of(valley, that(does), limits);
+  EXPECT_EQ(record.trace.size(), 1U);
+  EXPECT_EQ(record.trace.at(0).x[0], 0.5);
+  EXPECT_DOUBLE_EQ(record.trace.at(0).true_values.objective, 0.04);
   EXPECT_EQ(record.solver, "that");
   EXPECT_EQ(record.problem, "valley");
   EXPECT_EQ(record.run, 3);
+  return record.failure;
 }
 
 TEST(Worker, BringsBackTheRecordOfARun) {
-  const Problem problem = valley();
   const Solver solver = that([] {});
-  const RunRecord here = run(problem, solver, {20}, 3);
-  const RunRecord there = records_of(problem, solver, {})[0];
-  EXPECT_EQ(there.seed, here.seed);
-  EXPECT_EQ(there.terminations, here.terminations);
-  EXPECT_EQ(there.ledger.charged, here.ledger.charged);
-  ASSERT_TRUE(there.returned);
-  EXPECT_EQ(there.returned->x, here.returned->x);
-  EXPECT_EQ(there.returned->true_values.objective, here.returned->true_values.objective);
-  ASSERT_EQ(there.trace.size(), here.trace.size());
-  EXPECT_EQ(there.trace[0].true_values.objective, here.trace[0].true_values.objective);
+  const RunRecord here = run(valley, solver, {20}, 3);
+  EXPECT_EQ(bits_of(without_times(record_of(valley, solver, {}))), bits_of(without_times(here)));
 }
 
-TEST(Worker, SurvivesASolverThatThrows) {
-  expect_failed(run_that([] { throw std::runtime_error("torn"); }), StartsWith("torn"));
-  expect_failed(run_that([] { throw 7; }), HasSubstr("not a std::exception"));
-}
-
-TEST(Worker, SurvivesASolverThatCrashes) {
-  const RunRecord killed = run_that([] { kill(getpid(), SIGKILL); });
-  expect_failed(killed, StartsWith("crashed: Killed"));
+TEST(Worker, SurvivesASolverThatThrowsOrCrashes) {
+  EXPECT_THAT(failure_of([] { throw std::runtime_error("torn"); }), StartsWith("torn"));
+  EXPECT_THAT(failure_of([] { throw 7; }), HasSubstr("not a std::exception"));
+  EXPECT_THAT(failure_of([] { raise(SIGSEGV); }), testing::Not(IsEmpty()));
+  EXPECT_THAT(failure_of([] { _exit(3); }), HasSubstr("exit status 3"));
+  EXPECT_THAT(failure_of([] { _exit(0); }), HasSubstr("exit status 0"));
+  const RunRecord killed = record_of(valley, that([] { kill(getpid(), SIGKILL); }));
+  EXPECT_THAT(killed.failure, StartsWith("crashed: Killed"));
   EXPECT_EQ(killed.ledger.charged, 20);
-  expect_failed(run_that([] { raise(SIGSEGV); }), testing::Not(IsEmpty()));
-  expect_failed(run_that([] { _exit(3); }), HasSubstr("exit status 3"));
-  expect_failed(run_that([] { _exit(0); }), HasSubstr("exit status 0"));
 }
 
-/// If that is shorter than the limit of the plan.
-TEST(Worker, KillsARunAfterTheLongestTimeOfItsProblem) {
-  const Solver hanging = that([] { std::this_thread::sleep_for(std::chrono::hours(1)); });
-  Problem problem = valley();
-  problem.longest_run = 0.3;
-  EXPECT_THAT(records_of(problem, hanging, {60, 256})[0].failure,
-              StartsWith("killed: it took more than 0.3 s"));
-  problem.longest_run = 60;
-  EXPECT_THAT(records_of(problem, hanging, {0.2, 256})[0].failure,
-              StartsWith("killed: it took more than 0.2 s"));
-}
-
-TEST(Worker, KillsASolverThatHangs) {
+/// Of the limits of the plan and of the problem the shorter one holds.
+TEST(Worker, KillsASolverThatHangsWithAllThatItHasStarted) {
   const Limits soon{0.3, 256};
-  expect_failed(run_that([] { std::this_thread::sleep_for(std::chrono::hours(1)); }, soon),
-                StartsWith("killed: it took more than 0.3 s"));
+  const std::string said = "killed: it took more than 0.3 s";
+  Pipe held;
+  const auto starts_another = [] {
+    if (fork() == 0) sleep_for_an_hour();
+    sleep_for_an_hour();
+  };
+  EXPECT_THAT(failure_of(starts_another, soon), StartsWith(said));
+  EXPECT_TRUE(held.is_held_by_nobody()) << "the other is gone, too";
   volatile bool always = true;
-  expect_failed(run_that(
-                    [&] {
-                      while (always) {
-                      }
-                    },
-                    soon),
-                StartsWith("killed: it took more than 0.3 s"));
-}
-
-TEST(Worker, KillsWhatAHangingSolverHasStarted) {
-  int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
-  run_that(
-      [&] {
-        if (fork() == 0) std::this_thread::sleep_for(std::chrono::hours(1));
-        std::this_thread::sleep_for(std::chrono::hours(1));
-      },
-      {0.3, 256});
-  close(ends[1]);
-  char byte = 0;
-  EXPECT_EQ(read(ends[0], &byte, 1), 0) << "nobody holds the other end any more";
-  close(ends[0]);
+  const auto is_busy = [&] {
+    while (always) {
+    }
+  };
+  EXPECT_THAT(failure_of(is_busy, soon), StartsWith(said));
+  Problem problem = valley;
+  problem.longest_run = 0.3;
+  EXPECT_THAT(record_of(problem, that(sleep_for_an_hour)).failure, StartsWith(said));
+  problem.longest_run = 60;
+  EXPECT_THAT(record_of(problem, that(sleep_for_an_hour), soon).failure, StartsWith(said));
 }
 
 TEST(Worker, GivesASolverNoMoreMemoryThanAllowed) {
@@ -161,66 +132,172 @@ TEST(Worker, GivesASolverNoMoreMemoryThanAllowed) {
     std::vector<std::unique_ptr<char[]>> meals;
     for (int k = 0; k < 30; ++k) meals.push_back(std::make_unique<char[]>(1 << 20));
   };
-  expect_failed(run_that(eats, {60, 16}), StartsWith("out of memory"));
+  EXPECT_THAT(failure_of(eats, {60, 16}), StartsWith("out of memory"));
   const auto does_not_look = [] {
     for (int k = 0; k < 30; ++k) {
       static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
     }
   };
-  expect_failed(run_that(does_not_look, {60, 16}), StartsWith("crashed: "));
-  EXPECT_THAT(run_that(eats, {60, 200}).failure, IsEmpty());
+  EXPECT_THAT(failure_of(does_not_look, {60, 16}), StartsWith("crashed: "));
+  EXPECT_THAT(failure_of(eats, {60, 200}), IsEmpty());
 }
 
 TEST(Worker, MakesARunAgainWhereAnotherMayHaveSpoiltTheProcess) {
-  const Problem problem = valley();
   static int runs = 0;
   const Solver spoils = that([] { ++runs; });
   const Solver suffers = that([] {
     if (runs > 0) _exit(9);
   });
-  const std::vector<Job> jobs = {{&problem, &spoils, {1}}, {&problem, &suffers, {1}}};
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  std::vector<RunRecord> records(2);
-  run_all(jobs, {}, [&](std::size_t job, RunRecord record) { records[job] = record; });
+  const auto records = records_of({{&valley, &spoils, {1}}, {&valley, &suffers, {1}}});
   EXPECT_THAT(records[0].failure, IsEmpty());
   EXPECT_THAT(records[1].failure, IsEmpty());
   EXPECT_EQ(records[1].terminations.size(), 2U);
 }
 
 TEST(Worker, KeepsWhatASolverPrintsOutOfTheResults) {
-  testing::internal::CaptureStdout();
-  EXPECT_THAT(run_that([] {
-                std::printf("found it!\n");
-                std::fflush(stdout);
-              }).failure,
-              IsEmpty());
-  EXPECT_THAT(testing::internal::GetCapturedStdout(), IsEmpty());
-}
-
-TEST(Worker, KeepsNumbersThatAreNone) {
-  Problem problem = valley();
-  problem.evaluate = [](const Vector& x) {
-    return Values{-std::numeric_limits<double>::infinity() * x[0], {}};
+  const auto prints = [] {
+    std::printf("found it!\n");
+    std::fflush(stdout);
   };
-  const auto records = records_of(problem, that([] {}), {});
-  ASSERT_EQ(records[0].trace.size(), 1U);
-  EXPECT_EQ(records[0].trace[0].true_values.objective, -std::numeric_limits<double>::infinity());
+  testing::internal::CaptureStdout();
+  EXPECT_THAT(record_of(valley, that(prints)).failure, IsEmpty());
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), IsEmpty());
 }
 
 TEST(Worker, RefusesLimitsThatAreNone) {
   EXPECT_NO_THROW(check({}));
-  EXPECT_THROW(check({0, 1}), InputError);
-  EXPECT_THROW(check({std::nan(""), 1}), InputError);
-  EXPECT_THROW(check({1, -1}), InputError);
+  for (const Limits& limits : {Limits{0, 1}, Limits{std::nan(""), 1}, Limits{1, -1}}) {
+    EXPECT_THROW(check(limits), InputError);
+  }
 }
 
 TEST(Worker, DoesNotOutliveWhatWasThrownOutside) {
-  const Problem problem = valley();
-  const Solver sleeps = that([] { std::this_thread::sleep_for(std::chrono::hours(1)); });
+  const Solver sleeps = that(sleep_for_an_hour);
   const Solver harmless = that([] {});
-  const std::vector<Job> jobs = {{&problem, &harmless, {20}}, {&problem, &sleeps, {20}}};
+  const std::vector<Job> jobs = {{&valley, &harmless, {20}}, {&valley, &sleeps, {20}}};
   EXPECT_THROW(run_all(jobs, {}, [](std::size_t, const RunRecord&) { throw std::bad_alloc(); }),
                std::bad_alloc);
+}
+
+/// Instances of a bowl, each for two solvers.
+struct Jobs {
+  std::vector<Problem> problems;
+  std::vector<Solver> solvers{chance("one"), chance("other")};
+  std::vector<Job> jobs;
+
+  explicit Jobs(int instances) {
+    for (int i = 0; i < instances; ++i) problems.push_back(instance(bowl("bowl", 3), i));
+    for (const Problem& problem : problems) {
+      for (const Solver& solver : solvers) jobs.push_back({&problem, &solver, {100}, 0});
+    }
+  }
+
+  std::vector<RunRecord> run_on(std::size_t processes) const {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, processes);
+    return records_of(jobs);
+  }
+};
+
+/// Ends this process with 7 and the reason if runs are refused.
+[[noreturn]] void run_with_few_open_files(const Jobs& jobs) {
+  int next = 0;  // descriptors below it are open
+  while (fcntl(next, F_GETFD) >= 0) ++next;
+  // Enough to start a process, too few for what a solver may open there.
+  const auto few = static_cast<rlim_t>(next + 10);
+  const rlimit limit{few, few};
+  setrlimit(RLIMIT_NOFILE, &limit);
+  std::fputs(complaint_of<OutputError>([&] { return jobs.run_on(1); }).c_str(), stderr);
+  std::_Exit(7);
+}
+
+TEST(Runner, StartsNothingWhereTooFewFilesMayBeOpen) {
+  EXPECT_EXIT(run_with_few_open_files(Jobs(1)), testing::ExitedWithCode(7),
+              "^too many open files: the limit is ");
+}
+
+TEST(Runner, GivesTheSameBitsInTheSameOrderOnAnyNumberOfProcesses) {
+  const Jobs jobs(20);
+  const auto one = jobs.run_on(1);
+  const auto two = jobs.run_on(2);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(two[i].solver, jobs.jobs[i].solver->name);
+    EXPECT_EQ(two[i].instance, jobs.jobs[i].problem->instance);
+    EXPECT_EQ(bits_of(without_times(one[i])), bits_of(without_times(two[i])));
+  }
+}
+
+TEST(Runner, FinishesTheOtherRunsWhenOneFails) {
+  Jobs jobs(3);
+  jobs.problems[1].evaluate = [](const Vector&) -> Values { throw std::runtime_error("torn"); };
+  const auto records = jobs.run_on(2);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(records[i].failure, i == 2 || i == 3 ? "torn" : "");
+  }
+  EXPECT_EQ(records[5].ledger.charged, 100);
+}
+
+using RunnerInAFolder = TemporaryFolder;
+
+TEST_F(RunnerInAFolder, MakesARunAgainWhoseProcessSomebodyHasKilled) {
+  Jobs jobs(2);
+  jobs.solvers[0].solve = [mark = folder_ / "killed"](Evaluator& evaluator, const Vector& start,
+                                                      Random&) {
+    if (!std::filesystem::exists(mark)) {
+      write_file(mark, "once");
+      raise(SIGKILL);
+    }
+    evaluator.objective(start);
+    return SolverTermination{"survived"};
+  };
+  for (const RunRecord& record : jobs.run_on(1)) EXPECT_EQ(record.failure, "");
+}
+
+TEST(Runner, GivesUpARunThatIsKilledAgain) {
+  Jobs jobs(2);
+  jobs.solvers[0].solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
+    raise(SIGKILL);
+    return {"never"};
+  };
+  for (const RunRecord& record : jobs.run_on(2)) {
+    EXPECT_EQ(record.failure, record.solver == "one" ? "crashed: Killed" : "");
+  }
+}
+
+/// A message keeps that a number is none, but not which of those.
+std::string with_one_nan(std::string bits) {
+  const std::size_t length = bits_of(std::nan("")).size();
+  for (std::size_t at = 0; (at = bits.find("nan = ", at)) != std::string::npos;) {
+    bits.replace(at, length, "none ");
+  }
+  return bits;
+}
+
+TEST(RecordText, KeepsEveryBitOfARecordAndOfAnImprovement) {
+  std::mt19937_64 random(1);
+  for (int k = 0; k < 2000; ++k) {
+    RunRecord record = any::record(random);
+    record.problem = "valley \"of\" \n tears";
+    record.solver = "mine";
+    record.failure = k % 2 == 0 ? "torn" : "";
+    for (SolverTermination& end : record.terminations) {
+      end.reason = "done";
+      if (k % 3 == 0) end.point.reset();
+    }
+    if (k % 3 == 0) record.budget.gradient_price = k % 2;
+    const auto bits = bits_of(record), again = bits_of(record_from(text_of(record)));
+    EXPECT_EQ(with_one_nan(fmt::to_string(fmt::join(again, "\n"))),
+              with_one_nan(fmt::to_string(fmt::join(bits, "\n"))));
+    const Improvement step{any::count(random), any::number(random), any::true_values(random),
+                           any::point(random)};
+    EXPECT_EQ(with_one_nan(bits_of(improvement_from(text_of(step)))), with_one_nan(bits_of(step)));
+  }
+}
+
+TEST(RecordText, RefusesWhatIsNone) {
+  EXPECT_ANY_THROW(record_from(""));
+  EXPECT_ANY_THROW(record_from("{}"));
+  EXPECT_ANY_THROW(improvement_from("\x83\x01\x02\x03"));
 }
 
 }  // namespace

@@ -1,15 +1,73 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <map>
-#include <set>
+#include <vector>
 
+#include "ricochet/run.h"
 #include "src/experiment/perturbations.h"
 #include "tests/core/hessian_check.h"
 #include "tests/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
+
+TEST(PerturbedStart, LiesAThousandthOfTheBoxAwayAndInside) {
+  for (Problem problem : random_problems()) {
+    const Vector width = problem.upper - problem.lower;
+    for (const Vector& start : {Vector(problem.start), problem.lower, problem.upper}) {
+      problem.start = start;
+      for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Problem moved = perturbed_start().perturbed(problem, seed);
+        EXPECT_NEAR((moved.start - start).cwiseQuotient(width).norm(), 1e-3, 1e-12);
+        EXPECT_TRUE(is_inside(problem, moved.start));
+        EXPECT_EQ(moved.evaluate(start).objective, problem.evaluate(start).objective);
+        EXPECT_EQ(moved.smoothed(0.1).start, moved.start);
+      }
+    }
+  }
+}
+
+TEST(PerturbedStart, HasNoPreferredDirection) {
+  Random random(1);
+  const Problem problem = random_problem(random, {.dimension = 3});
+  const Vector width = problem.upper - problem.lower;
+  constexpr int size = 20'000;
+  Matrix moments = Matrix::Zero(3, 3);
+  Vector mean = Vector::Zero(3);
+  for (std::uint64_t seed = 0; seed < size; ++seed) {
+    const Problem moved = perturbed_start().perturbed(problem, seed);
+    const Vector direction = 1e3 * (moved.start - problem.start).cwiseQuotient(width);
+    mean += direction / size;
+    moments += direction * direction.transpose() / size;
+  }
+  EXPECT_LT(mean.cwiseAbs().maxCoeff(), 5 * std::sqrt(1.0 / 3 / size));
+  EXPECT_LT((moments - Matrix::Identity(3, 3) / 3).cwiseAbs().maxCoeff(),
+            5 * 0.3 / std::sqrt(size));
+}
+
+TEST(PerturbedStart, IsWhereEveryRunBegins) {
+  Random random(1);
+  const Problem problem = random_problem(random, {});
+  std::vector<Vector> starts;
+  Solver solver;
+  solver.name = "asks-at-its-start";
+  solver.solve = [&starts](Evaluator& evaluator, const Vector& start,
+                           Random&) -> SolverTermination {
+    starts.push_back(start);
+    evaluator.values(start);
+    return {};
+  };
+  for (const int number : {0, 1, 2}) {
+    const Problem moved = perturbed_start().perturbed(problem, static_cast<std::uint64_t>(number));
+    starts.clear();
+    run(moved, solver, {2}, number);
+    EXPECT_EQ(starts.at(0), moved.start) << number;
+    EXPECT_GT((starts.at(1) - moved.start).norm(), 0.01) << "the solver's second start";
+  }
+}
 
 /// The place of each variable of the problem among those that are shown.
 std::vector<Eigen::Index> places(const Problem& problem, const Problem& shown) {
@@ -29,21 +87,16 @@ void expect_same(const Problem& problem, const Problem& shown, const Matrix& to)
   for (int k = 0; k < 20; ++k) {
     const Vector own = uniform_point(problem, random);
     const Vector x = to * own;
-    EXPECT_TRUE((x.array() >= shown.lower.array()).all());
-    EXPECT_TRUE((x.array() <= shown.upper.array()).all());
-    EXPECT_EQ(shown.true_values(x).objective, true_values_at(problem, own).objective);
-    EXPECT_EQ(shown.true_values(x).violation, true_values_at(problem, own).violation);
-    const Derivatives d = shown.differentiate(x);
-    const Derivatives own_d = problem.differentiate(own);
-    EXPECT_EQ(shown.evaluate(x).objective, own_d.values.objective);
-    EXPECT_EQ(d.values.constraints, own_d.values.constraints);
-    EXPECT_EQ(d.gradient, to * own_d.gradient);
-    EXPECT_EQ(d.jacobian, own_d.jacobian * to.transpose());
-    EXPECT_EQ(shown.residuals(x).values, problem.residuals(own).values);
-    EXPECT_EQ(shown.residuals(x).jacobian, problem.residuals(own).jacobian * to.transpose());
+    EXPECT_TRUE(is_inside(shown, x));
+    EXPECT_EQ(shown.true_values(x), true_values_at(problem, own));
+    EXPECT_EQ(shown.evaluate(x), problem.evaluate(own));
     const Vector multipliers = normal(problem.constraints, random);
-    EXPECT_EQ(shown.lagrangian_hessian(x, 0.7, multipliers),
-              to * problem.lagrangian_hessian(own, 0.7, multipliers) * to.transpose());
+    Told expected = told_at(problem, own, 0.7, multipliers);
+    expected.gradient = to * expected.gradient;
+    expected.jacobian = expected.jacobian * to.transpose();
+    expected.jacobian_of_residuals = expected.jacobian_of_residuals * to.transpose();
+    expected.hessian = to * expected.hessian * to.transpose();
+    EXPECT_EQ(told_at(shown, x, 0.7, multipliers), expected);
   }
   EXPECT_EQ(shown.start, to * problem.start);
   EXPECT_EQ(*shown.best_point, to * *problem.best_point);
@@ -59,8 +112,7 @@ TEST(Permuted, KeepsEverythingButTheOrder) {
   for (const Problem& problem : random_problems()) {
     const Eigen::Index n = problem.dimension();
     EXPECT_EQ(permuted().applies(problem), n > 1);
-    if (n == 1) continue;
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    for (std::uint64_t seed = 0; n > 1 && seed < 5; ++seed) {
       const Problem shown = permuted().perturbed(problem, seed);
       const std::vector<Eigen::Index> place = places(problem, shown);
       ASSERT_EQ(static_cast<Eigen::Index>(place.size()), n);
@@ -75,26 +127,25 @@ TEST(Permuted, KeepsEverythingButTheOrder) {
   }
 }
 
-TEST(Permuted, DrawsEveryCycleAlike) {
-  Random random(1);
-  const Problem problem = random_problem(random, {.dimension = 4});
-  std::map<std::vector<Eigen::Index>, int> drawn;
-  constexpr int size = 6000;
-  for (std::uint64_t seed = 0; seed < size; ++seed) {
-    ++drawn[places(problem, permuted().perturbed(problem, seed))];
+/// Which coordinates are reflected.
+std::vector<bool> reflections(const Problem& problem, const Problem& shown) {
+  std::vector<bool> all;
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
+    all.push_back(shown.lower[i] != problem.lower[i]);
   }
-  EXPECT_EQ(drawn.size(), 6U);  // (4 - 1)!
-  for (const auto& [order, times] : drawn) EXPECT_NEAR(times, 1000, 5 * std::sqrt(1000 * 5 / 6.0));
+  return all;
 }
 
 TEST(Reflected, KeepsEverythingButTheSigns) {
   for (const Problem& problem : random_problems()) {
     EXPECT_TRUE(reflected().applies(problem));
-    const Eigen::Index n = problem.dimension();
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const Problem shown = reflected().perturbed(problem, seed);
-      Vector signs(n);
-      for (Eigen::Index i = 0; i < n; ++i) signs[i] = shown.lower[i] == problem.lower[i] ? 1 : -1;
+      Vector signs = Vector::Ones(problem.dimension());
+      const std::vector<bool> turned = reflections(problem, shown);
+      for (std::size_t i = 0; i < turned.size(); ++i) {
+        if (turned[i]) signs[static_cast<Eigen::Index>(i)] = -1;
+      }
       EXPECT_LT(signs.minCoeff(), 0) << "one at least";
       expect_same(problem, shown, signs.asDiagonal());
       EXPECT_EQ(shown.variables[0].name, problem.variables[0].name);
@@ -102,25 +153,33 @@ TEST(Reflected, KeepsEverythingButTheSigns) {
   }
 }
 
-TEST(Reflected, DrawsTheSignsAlike) {
+/// How often what is read of the perturbed problem is drawn by as many seeds.
+template <class Read>
+auto draws_of(const Perturbation& perturbation, Eigen::Index dimension, int seeds,
+              const Read& read) {
   Random random(1);
-  const Problem problem = random_problem(random, {.dimension = 3});
-  std::map<std::vector<bool>, int> drawn;
-  constexpr int size = 8000;
-  for (std::uint64_t seed = 0; seed < size; ++seed) {
-    const Problem shown = reflected().perturbed(problem, seed);
-    std::vector<bool> reflections;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      reflections.push_back(shown.lower[i] != problem.lower[i]);
-    }
-    ++drawn[reflections];
+  const Problem problem = random_problem(random, {.dimension = dimension});
+  std::map<decltype(read(problem, problem)), int> drawn;
+  for (int seed = 0; seed < seeds; ++seed) {
+    ++drawn[read(problem, perturbation.perturbed(problem, static_cast<std::uint64_t>(seed)))];
   }
+  return drawn;
+}
+
+TEST(Permuted, DrawsEveryCycleAlike) {
+  const auto drawn = draws_of(permuted(), 4, 6000, places);
+  EXPECT_EQ(drawn.size(), 6U);  // (4 - 1)!
+  for (const auto& [order, times] : drawn) EXPECT_NEAR(times, 1000, 5 * std::sqrt(1000 * 5 / 6.0));
+}
+
+TEST(Reflected, DrawsTheSignsAlike) {
+  constexpr int size = 8000;
+  const auto drawn = draws_of(reflected(), 3, size, reflections);
   EXPECT_EQ(drawn.size(), 7U);
   // Of k reflections: as drawn (1/8, then one of the k is named), or as k - 1 of them and the last
   // one named: k / 3 (1/8 + 1/8).
-  for (const auto& [reflections, times] : drawn) {
-    const double share =
-        static_cast<double>(std::count(reflections.begin(), reflections.end(), true)) / 12;
+  for (const auto& [turned, times] : drawn) {
+    const double share = static_cast<double>(std::ranges::count(turned, true)) / 12;
     EXPECT_NEAR(times, share * size, 5 * std::sqrt(share * size));
   }
 }
@@ -134,9 +193,9 @@ TEST(Rotated, AppliesWhereTheProblemMayBeTurned) {
 }
 
 TEST(Rotated, KeepsTheValuesOfWhatIsTurnedWithIt) {
-  Random random(1);
   for (const Problem& problem : random_problems()) {
     if (!rotated().applies(problem)) continue;
+    const TrueValues own = true_values_at(problem, problem.start);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const Problem shown = rotated().perturbed(problem, seed);
       const Vector& best = *problem.best_point;
@@ -147,15 +206,11 @@ TEST(Rotated, KeepsTheValuesOfWhatIsTurnedWithIt) {
       EXPECT_NEAR((shown.start - best).norm(), (problem.start - best).norm(), 1e-12);
       EXPECT_NEAR(shown.evaluate(shown.start).objective, problem.evaluate(problem.start).objective,
                   1e-11);
-      EXPECT_NEAR(shown.true_values(shown.start).objective,
-                  true_values_at(problem, problem.start).objective, 1e-11);
-      EXPECT_NEAR(shown.true_values(shown.start).violation,
-                  true_values_at(problem, problem.start).violation, 1e-11);
+      EXPECT_NEAR(shown.true_values(shown.start).objective, own.objective, 1e-11);
+      EXPECT_NEAR(shown.true_values(shown.start).violation, own.violation, 1e-11);
       EXPECT_NEAR(shown.differentiate(shown.start).gradient.norm(),
                   problem.differentiate(problem.start).gradient.norm(), 1e-10);
-      EXPECT_TRUE((shown.start.array() >= shown.lower.array()).all());
-      EXPECT_TRUE((shown.start.array() <= shown.upper.array()).all());
-      EXPECT_TRUE((shown.lower.array() <= problem.lower.array()).all());
+      EXPECT_TRUE(is_inside(shown, shown.start) && is_inside(shown, problem.lower));
       EXPECT_EQ(shown.smoothed(0.1).start, shown.start);
       EXPECT_NEAR(shown.smoothed(0.1).evaluate(shown.start).objective,
                   problem.smoothed(0.1).evaluate(problem.start).objective, 1e-11);

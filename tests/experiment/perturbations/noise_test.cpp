@@ -1,24 +1,160 @@
+// Perturbations by noise, and the draws that all perturbations are made from.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numbers>
+#include <numeric>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
+#include "tests/support/problems.h"
 
 namespace ricochet {
 namespace {
 
+/// Chi-square of counts that should be alike, as deviations from its mean: a normal number, about.
+double excess(const std::vector<int>& counts) {
+  const auto cells = static_cast<double>(counts.size());
+  const double expected = std::accumulate(counts.begin(), counts.end(), 0.0) / cells;
+  double chi_square = 0;
+  for (const int count : counts) chi_square += std::pow(count - expected, 2) / expected;
+  return (chi_square - (cells - 1)) / std::sqrt(2 * (cells - 1));
+}
+
+constexpr int draws = 100'000;
+
+/// Ways to come by many numbers in [0, 1): one sequence, and the first number of keys that differ
+/// as little as keys can.
+std::vector<std::function<double(int)>> sources() {
+  return {[draws = Draws(0)](int) mutable { return draws.uniform(); },
+          [](int k) { return Draws(key_of(0, static_cast<std::uint64_t>(k))).uniform(); },
+          [](int k) { return Draws(key_of(static_cast<std::uint64_t>(k), 0)).uniform(); },
+          [](int k) {
+            return Draws(key_of(1, Vector{{0.0, 1e-12 * k, 0.0}})).uniform();
+          },
+          [](int k) {
+            const Vector point{{static_cast<double>(k % 300), static_cast<double>(k / 300)}};
+            return Draws(key_of(1, point)).uniform();
+          }};
+}
+
+TEST(Draws, AreTheSequenceOfSplitMix64) {
+  // The first numbers from seed 1234567, as published for tests of implementations.
+  Draws draws(1234567);
+  for (const std::uint64_t bits : {6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
+                                   4593380528125082431U, 16408922859458223821U}) {
+    EXPECT_EQ(draws.bits(), bits);
+  }
+}
+
+TEST(Draws, AreUniformFromWhateverSource) {
+  constexpr int cells = 100;
+  for (auto source : sources()) {
+    std::vector<int> counts(cells);
+    std::array<int, 53> ones = {};
+    for (int k = 0; k < draws; ++k) {
+      const double drawn = source(k);
+      ASSERT_TRUE(drawn >= 0 && drawn < 1) << drawn;
+      ++counts[static_cast<std::size_t>(drawn * cells)];
+      const auto bits = static_cast<std::uint64_t>(std::ldexp(drawn, 53));
+      for (std::size_t bit = 0; bit < ones.size(); ++bit) ones[bit] += (bits >> bit) & 1;
+    }
+    EXPECT_LT(std::abs(excess(counts)), 5);
+    for (const int count : ones) {
+      EXPECT_LT(std::abs(2 * count - draws) / std::sqrt(static_cast<double>(draws)), 5);
+    }
+  }
+}
+
+TEST(Draws, OfNeighboursAreIndependent) {
+  constexpr int cells = 16;
+  for (auto source : sources()) {
+    for (const std::size_t lag : {1, 2, 300}) {
+      std::vector<std::size_t> drawn;
+      std::vector<int> counts(cells * cells);
+      for (int k = 0; k < draws + static_cast<int>(lag); ++k) {
+        drawn.push_back(static_cast<std::size_t>(cells * source(k)));
+        if (drawn.size() > lag)
+          ++counts[cells * drawn.end()[-1 - static_cast<int>(lag)] + drawn.back()];
+      }
+      EXPECT_LT(std::abs(excess(counts)), 5) << lag;
+    }
+  }
+}
+
+TEST(Draws, ChangeWithEveryBitOfTheKeyAndWithAName) {
+  for (const std::uint64_t key : {std::uint64_t{0}, std::uint64_t{1}, UINT64_MAX}) {
+    double changed = 0;
+    for (int bit = 0; bit < 64; ++bit) {
+      const std::uint64_t other = key ^ (std::uint64_t{1} << bit);
+      changed += std::popcount(Draws(key_of(key, 0)).bits() ^ Draws(key_of(other, 0)).bits());
+    }
+    EXPECT_NEAR(changed / 64, 32, 5 * 4 / 8.0);  // a mean of 64 numbers of deviation 4
+  }
+  EXPECT_NE(key_of(1, "noisy"), key_of(1, "outliers"));
+  EXPECT_NE(key_of(1, "noisy"), key_of(2, "noisy"));
+}
+
+/// Draws of all points of a grid through the origin, where a product of coordinates would be 0 most
+/// of the time.
+TEST(Draws, DifferAtDifferentPointsHoweverManyCoordinatesAreZero) {
+  std::set<std::uint64_t> keys;
+  std::size_t points = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    for (int k = 0; k < 5 * 5 * 5 * 5; ++k) {
+      Vector point(4);
+      int rest = k;
+      for (double& x : point) {
+        x = 0.5 * (rest % 5 - 2);
+        rest /= 5;
+      }
+      for (const Eigen::Index size : {3, 4}) {
+        if (size == 3 && point[3] != 0) continue;  // beside it a point without the last zero
+        keys.insert(key_of(seed, Vector(point.head(size))));
+        ++points;
+      }
+    }
+  }
+  EXPECT_EQ(keys.size(), points);
+  EXPECT_EQ(key_of(0, Vector{{0.0, -0.0}}), key_of(0, Vector{{-0.0, 0.0}}));
+}
+
+/// The largest distance between the sample's distribution and another, times the root of its size:
+/// beyond 1.95 once in a thousand samples.
+double kolmogorov(std::vector<double> sample, const std::function<double(double)>& share_below) {
+  std::sort(sample.begin(), sample.end());
+  double largest = 0;
+  for (std::size_t k = 0; k < sample.size(); ++k) {
+    const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(sample.size());
+    largest = std::max(largest, std::abs(share - share_below(sample[k])));
+  }
+  return largest * std::sqrt(static_cast<double>(sample.size()));
+}
+
+TEST(Draws, AreNormalAndOfTheCauchyDistribution) {
+  Draws drawn(7);
+  std::vector<double> normal(draws), cauchy(draws);
+  for (double& number : normal) number = drawn.normal();
+  for (double& number : cauchy) number = drawn.cauchy();
+  const auto below = [](double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; };
+  EXPECT_LT(kolmogorov(normal, below), 1.95);
+  for (double& number : normal) number *= 1.02;
+  EXPECT_GT(kolmogorov(normal, below), 1.5);
+  EXPECT_LT(kolmogorov(cauchy, [](double x) { return 0.5 + std::atan(x) / std::numbers::pi; }),
+            1.95);
+}
+
 /// A constant of this value everywhere, as objective, constraint, residual and every slope.
 Problem constant(double value) {
-  Problem problem;
-  problem.name = "constant";
-  problem.lower = Vector::Zero(2);
-  problem.upper = Vector::Ones(2);
-  problem.start = Vector::Zero(2);
+  Problem problem = box_problem("constant", 2, 0, 1, 0, [](const Vector&) { return 0.0; });
   problem.constraints = 1;
   problem.evaluate = [value](const Vector&) { return Values{value, Vector::Constant(1, value)}; };
   problem.differentiate = [value, evaluate = problem.evaluate](const Vector& x) {
@@ -27,9 +163,7 @@ Problem constant(double value) {
   problem.residuals = [value](const Vector&) {
     return Residuals{Vector::Constant(1, value), Matrix::Constant(1, 2, value)};
   };
-  problem.lagrangian_hessian = [value](const Vector&, double, const Vector&) -> Matrix {
-    return Matrix::Constant(2, 2, value);
-  };
+  curve_by(problem, [value](const Vector&) -> Matrix { return Matrix::Constant(2, 2, value); });
   return problem;
 }
 
@@ -37,14 +171,14 @@ constexpr int size = 50'000;
 
 using Number = std::function<double(const Problem&, const Vector&)>;
 
-/// One of each kind of number that is told.
+/// One of each kind of number that is told; the first three are values, the others slopes.
 const std::vector<Number>& kinds() {
   static const std::vector<Number> all = {
       [](const Problem& p, const Vector& x) { return p.evaluate(x).objective; },
       [](const Problem& p, const Vector& x) { return p.evaluate(x).constraints[0]; },
+      [](const Problem& p, const Vector& x) { return p.residuals(x).values[0]; },
       [](const Problem& p, const Vector& x) { return p.differentiate(x).gradient[1]; },
       [](const Problem& p, const Vector& x) { return p.differentiate(x).jacobian(0, 1); },
-      [](const Problem& p, const Vector& x) { return p.residuals(x).values[0]; },
       [](const Problem& p, const Vector& x) { return p.residuals(x).jacobian(0, 1); },
       [](const Problem& p, const Vector& x) {
         return p.lagrangian_hessian(x, 1, Vector::Zero(1))(0, 1);
@@ -64,22 +198,30 @@ std::vector<double> sample(const Perturbation& perturbation, double value, const
   return all;
 }
 
+/// The mean of a function of the numbers, and the mean of its squares.
+std::pair<double, double> moments(const std::vector<double>& numbers,
+                                  const std::function<double(double)>& function) {
+  double mean = 0, square = 0;
+  for (const double number : numbers) {
+    mean += function(number) / size;
+    square += std::pow(function(number), 2) / size;
+  }
+  return {mean, square};
+}
+
 TEST(Noise, HasTheMeanDeviationAndTailsOfANormalOne) {
   for (const Perturbation& perturbation : {noisy(), frozen_noise()}) {
     for (const Number& number : kinds()) {
       for (const double value : {0.0, -0.5, 3e4}) {
-        double mean = 0, square = 0, beyond = 0;
-        for (const double told : sample(perturbation, value, number)) {
-          const double xi = 1e3 * told;
-          mean += xi / size;
-          square += xi * xi / size;
-          beyond += std::abs(xi) > 2;
-        }
-        EXPECT_LT(std::abs(mean), 5 / std::sqrt(size)) << perturbation.name << value;
-        EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / size)) << perturbation.name << value;
+        SCOPED_TRACE(perturbation.name + std::to_string(value));
+        const std::vector<double> told = sample(perturbation, value, number);
+        const auto [mean, square] = moments(told, [](double noise) { return 1e3 * noise; });
+        EXPECT_LT(std::abs(mean), 5 / std::sqrt(size));
+        EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / size));
+        const auto beyond =
+            std::ranges::count_if(told, [](double noise) { return std::abs(1e3 * noise) > 2; });
         const double share = std::erfc(std::numbers::sqrt2);
-        EXPECT_NEAR(beyond / size, share, 5 * std::sqrt(share / size))
-            << perturbation.name << value;
+        EXPECT_NEAR(static_cast<double>(beyond) / size, share, 5 * std::sqrt(share / size));
       }
     }
   }
@@ -106,7 +248,6 @@ TEST(Noise, IsDrawnAnewUnlessItIsFrozen) {
 }
 
 TEST(Noise, LeavesAloneWhatIsNotFinite) {
-  const double infinity = std::numeric_limits<double>::infinity();
   for (const Perturbation& perturbation : {noisy(), frozen_noise(), outliers()}) {
     const Problem told = perturbation.perturbed(constant(-infinity), 1);
     const Problem lost = perturbation.perturbed(constant(std::nan("")), 1);
@@ -120,7 +261,6 @@ TEST(Noise, LeavesAloneWhatIsNotFinite) {
 
 TEST(Outliers, AreAFifthOfAllWithTheTailOfACauchyNumber) {
   for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
-    const bool is_value = kind == 0 || kind == 1 || kind == 4;
     for (const double value : {0.0, -0.5, 3e4}) {
       int hit = 0, far = 0, down = 0;
       for (const double told : sample(outliers(), value, kinds()[kind])) {
@@ -130,11 +270,8 @@ TEST(Outliers, AreAFifthOfAllWithTheTailOfACauchyNumber) {
       }
       EXPECT_NEAR(hit, 0.2 * size, 5 * std::sqrt(0.2 * 0.8 * size)) << kind;
       EXPECT_NEAR(far, hit / 2.0, 5 * std::sqrt(hit / 4.0)) << kind;
-      if (is_value) {
-        EXPECT_EQ(down, 0) << kind;
-      } else {
-        EXPECT_NEAR(down, hit / 2.0, 5 * std::sqrt(hit / 4.0)) << kind;
-      }
+      const bool is_value = kind < 3;
+      EXPECT_NEAR(down, is_value ? 0 : hit / 2.0, is_value ? 0 : 5 * std::sqrt(hit / 4.0)) << kind;
     }
   }
 }
@@ -163,17 +300,6 @@ std::vector<double> noisy_gaps(const Perturbation& perturbation, double gap) {
     gaps.push_back(told.evaluate(problem.start).objective - 7 - 1.01e-8);
   }
   return gaps;
-}
-
-/// The mean of the numbers and the mean of their squares.
-template <class Function>
-std::pair<double, double> moments(const std::vector<double>& numbers, const Function& function) {
-  double mean = 0, square = 0;
-  for (const double number : numbers) {
-    mean += function(number) / size;
-    square += std::pow(function(number), 2) / size;
-  }
-  return {mean, square};
 }
 
 TEST(NoiseOfBbob, IsOfThePublishedModels) {
@@ -212,15 +338,13 @@ TEST(NoiseOfBbob, IsOfOneKindForObjectiveResidualsAndSlopes) {
   for (const Problem& problem : random_problems()) {
     for (const Perturbation& noise : {bbob_gaussian(), bbob_uniform()}) {
       const Derivatives plain = problem.differentiate(problem.start);
-      const Problem told = noise.perturbed(problem, 2);
-      const Derivatives noisy = told.differentiate(problem.start);
+      const Derivatives noisy = noise.perturbed(problem, 2).differentiate(problem.start);
       const double factor = (noisy.values.objective - 1.01e-8) / plain.values.objective;
       EXPECT_NE(factor, 1);
       EXPECT_TRUE(noisy.gradient.isApprox(factor * plain.gradient, 1e-6)) << noise.name;
       EXPECT_EQ(noisy.values.constraints, plain.values.constraints);
       // Another object makes the same draws for its first call.
-      const Problem again = noise.perturbed(problem, 2);
-      const Residuals residuals = again.residuals(problem.start);
+      const Residuals residuals = noise.perturbed(problem, 2).residuals(problem.start);
       EXPECT_NEAR(residuals.values.squaredNorm() / 2, noisy.values.objective,
                   1e-9 * noisy.values.objective);
     }

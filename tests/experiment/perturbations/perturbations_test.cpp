@@ -1,13 +1,16 @@
-// What every perturbation promises.
+// What every perturbation promises, and what perturbations are made of.
 
 #include "src/experiment/perturbations.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
@@ -18,11 +21,11 @@ namespace ricochet {
 namespace {
 
 /// The bits of everything that a solver is told at so many points of the box, in a row; where a
-/// call throws, of the message.
-std::vector<std::uint64_t> told(const Problem& problem, int points) {
+/// call throws, 2.
+std::vector<std::uint64_t> bits_told(const Problem& problem, int points) {
   std::vector<std::uint64_t> bits;
   const auto add = [&bits](const auto& numbers) {
-    for (const double number : numbers.reshaped()) {
+    for (const double number : numbers) {
       bits.push_back(std::isnan(number) ? 1 : std::bit_cast<std::uint64_t>(number));
     }
   };
@@ -32,14 +35,10 @@ std::vector<std::uint64_t> told(const Problem& problem, int points) {
     const double place = (k + 0.31) / points;
     const Vector x = problem.lower + place * (problem.upper - problem.lower);
     try {
-      const Values values = problem.evaluate(x);
-      bits.push_back(std::bit_cast<std::uint64_t>(values.objective));
-      add(values.constraints);
-      const Derivatives d = problem.differentiate(x);
-      add(d.gradient);
-      add(d.jacobian);
-      if (problem.residuals) add(problem.residuals(x).values);
-      add(problem.lagrangian_hessian(x, 1, Vector::Ones(problem.constraints)));
+      const Values alone = problem.evaluate(x);
+      add(std::vector{alone.objective});
+      add(alone.constraints);
+      add(told_at(problem, x).numbers());
     } catch (const std::exception&) {
       bits.push_back(2);
     }
@@ -47,14 +46,14 @@ std::vector<std::uint64_t> told(const Problem& problem, int points) {
   return bits;
 }
 
-bool moves_coordinates(const Perturbation& perturbation) {
-  return perturbation.name == "permuted" || perturbation.name == "reflected" ||
-         perturbation.name == "rotated";
-}
-
 class EveryPerturbation : public testing::TestWithParam<Perturbation> {
  protected:
-  const Perturbation& perturbation() const { return GetParam(); }
+  Problem perturbed(const Problem& problem, std::uint64_t seed) const {
+    return GetParam().perturbed(problem, seed);
+  }
+  bool is_one_of(const std::set<std::string>& names) const {
+    return names.contains(GetParam().name);
+  }
 
   /// Random problems that it applies to, and instances of them, and formulations.
   std::vector<Problem> problems() const {
@@ -66,39 +65,34 @@ class EveryPerturbation : public testing::TestWithParam<Perturbation> {
                                       penalised(problem, 2)};
       const Problem& shown =
           formulations[(k + k / 4) % 4];  // another one for every kind of constraints
-      if (perturbation().applies(shown)) all.push_back(shown);
+      if (GetParam().applies(shown)) all.push_back(shown);
     }
     EXPECT_GE(all.size(), 8U);
     return all;
   }
 };
 
+auto what_is_asked(const Problem& p) {
+  return std::tuple(p.name, p.instance, p.dimension(), p.constraints, p.equalities, p.best_known,
+                    !p.differentiate, !p.residuals, !p.lagrangian_hessian, !p.smoothed);
+}
+
 TEST_P(EveryPerturbation, KeepsWhatIsAskedAndJudged) {
   Random random(3);
   for (const Problem& problem : problems()) {
-    const Problem shown = perturbation().perturbed(problem, 11);
-    EXPECT_EQ(shown.name, problem.name);
-    EXPECT_EQ(shown.instance, problem.instance);
-    EXPECT_EQ(shown.dimension(), problem.dimension());
-    EXPECT_EQ(shown.constraints, problem.constraints);
-    EXPECT_EQ(shown.equalities, problem.equalities);
-    EXPECT_EQ(shown.best_known, problem.best_known);
-    EXPECT_EQ(!shown.differentiate, !problem.differentiate);
-    EXPECT_EQ(!shown.residuals, !problem.residuals);
-    EXPECT_EQ(!shown.lagrangian_hessian, !problem.lagrangian_hessian);
-    EXPECT_EQ(!shown.smoothed, !problem.smoothed);
-    EXPECT_NEAR(true_values_at(shown, *shown.best_point).objective,
-                true_values_at(problem, *problem.best_point).objective, 1e-12);
-    EXPECT_NEAR(true_values_at(shown, *shown.best_point).violation,
-                true_values_at(problem, *problem.best_point).violation, 1e-12);
-    if (moves_coordinates(perturbation())) continue;
+    const Problem shown = perturbed(problem, 11);
+    EXPECT_EQ(what_is_asked(shown), what_is_asked(problem));
+    const TrueValues best = true_values_at(shown, *shown.best_point);
+    const TrueValues own = true_values_at(problem, *problem.best_point);
+    EXPECT_NEAR(best.objective, own.objective, 1e-12);
+    EXPECT_NEAR(best.violation, own.violation, 1e-12);
+    if (is_one_of({"permuted", "reflected", "rotated"})) continue;
     EXPECT_EQ(shown.lower, problem.lower);
     EXPECT_EQ(shown.upper, problem.upper);
     EXPECT_EQ(*shown.best_point, *problem.best_point);
     for (int k = 0; k < 10; ++k) {
       const Vector x = uniform_point(problem, random);
-      EXPECT_EQ(true_values_at(shown, x).objective, true_values_at(problem, x).objective);
-      EXPECT_EQ(true_values_at(shown, x).violation, true_values_at(problem, x).violation);
+      EXPECT_EQ(true_values_at(shown, x), true_values_at(problem, x));
     }
   }
 }
@@ -106,8 +100,8 @@ TEST_P(EveryPerturbation, KeepsWhatIsAskedAndJudged) {
 TEST_P(EveryPerturbation, JudgesTheSameWhateverTheSolverWasTold) {
   Random random(3);
   for (const Problem& problem : problems()) {
-    const Problem shown = perturbation().perturbed(problem, 11);
-    const Problem undisturbed = perturbation().perturbed(problem, 11);
+    const Problem shown = perturbed(problem, 11);
+    const Problem undisturbed = perturbed(problem, 11);
     Scorer scorer(shown);
     Evaluator evaluator(shown, {200}, &scorer);
     while (!evaluator.over()) {
@@ -116,37 +110,30 @@ TEST_P(EveryPerturbation, JudgesTheSameWhateverTheSolverWasTold) {
       evaluator.derivatives(x);
     }
     for (const Improvement& step : scorer.trace()) {
-      const TrueValues true_values = true_values_at(undisturbed, step.x);
-      EXPECT_EQ(step.true_values.objective, true_values.objective);
-      EXPECT_EQ(step.true_values.violation, true_values.violation);
+      EXPECT_EQ(step.true_values, true_values_at(undisturbed, step.x));
     }
   }
 }
 
-TEST_P(EveryPerturbation, HasTheSameBitsForTheSameSeed) {
+TEST_P(EveryPerturbation, HasTheSameBitsForTheSameSeedAndOthersForAnotherOrNone) {
   for (const Problem& problem : problems()) {
-    EXPECT_EQ(told(perturbation().perturbed(problem, 5), 10),
-              told(perturbation().perturbed(problem, 5), 10));
+    EXPECT_EQ(bits_told(perturbed(problem, 5), 10), bits_told(perturbed(problem, 5), 10));
   }
-}
-
-TEST_P(EveryPerturbation, HasAnotherDrawForAnotherSeedOrNone) {
-  const std::set<std::string> without_chance = {
-      "plain", "truncated", "slow", "infinite-where-infeasible", "quantised", "binary-constraints"};
   std::set<std::vector<std::uint64_t>> different;
   const Problem problem = problems().back();
-  const int points = perturbation().name == "throwing" ? 1000 : 50;
+  const int points = is_one_of({"throwing"}) ? 1000 : 50;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    different.insert(told(perturbation().perturbed(problem, seed), points));
+    different.insert(bits_told(perturbed(problem, seed), points));
   }
-  EXPECT_EQ(different.size() == 1, without_chance.contains(perturbation().name));
+  EXPECT_EQ(different.size() == 1, is_one_of({"plain", "truncated", "slow", "quantised",
+                                              "infinite-where-infeasible", "binary-constraints"}));
 }
 
 TEST_P(EveryPerturbation, IsSeenAtEverySmoothing) {
   int seen = 0;
   for (const Problem& problem : problems()) {
     if (!problem.smoothed) continue;
-    const Problem shown = perturbation().perturbed(problem, 5);
+    const Problem shown = perturbed(problem, 5);
     const Problem smooth = shown.smoothed(0.3);
     EXPECT_EQ(smooth.lower, shown.lower);
     EXPECT_EQ(smooth.upper, shown.upper);
@@ -157,39 +144,143 @@ TEST_P(EveryPerturbation, IsSeenAtEverySmoothing) {
               true_values_at(shown, shown.start).objective);
     // What it does to a smoothing parameter is what it does to the problem at that smoothing
     // parameter.
-    EXPECT_EQ(told(perturbation().perturbed(problem, 5).smoothed(0.3), 10),
-              told(perturbation().perturbed(problem.smoothed(0.3), 5), 10));
-    const int points = perturbation().name == "throwing" ? 1000 : 20;
-    seen += told(smooth, points) != told(problem.smoothed(0.3), points);
+    EXPECT_EQ(bits_told(perturbed(problem, 5).smoothed(0.3), 10),
+              bits_told(perturbed(problem.smoothed(0.3), 5), 10));
+    const int points = is_one_of({"throwing"}) ? 1000 : 20;
+    seen += bits_told(smooth, points) != bits_told(problem.smoothed(0.3), points);
   }
-  EXPECT_EQ(seen == 0, perturbation().name == "plain" || perturbation().name == "slow");
+  EXPECT_EQ(seen == 0, is_one_of({"plain", "slow"}));
 }
 
-TEST_P(EveryPerturbation, SaysWhatItIs) {
-  EXPECT_FALSE(perturbation().name.empty());
-  EXPECT_FALSE(perturbation().summary.empty());
-}
-
-std::string name_of(const testing::TestParamInfo<Perturbation>& tested) {
-  std::string name;
-  for (const char c : tested.param.name) {
-    if (c != '-') name += c;
-  }
+std::string name_of_perturbation(const testing::TestParamInfo<Perturbation>& tested) {
+  std::string name = tested.param.name;
+  std::erase(name, '-');
   return name;
 }
 
-TEST(Perturbations, TellApartHowARunShowsItsProblem) {
+INSTANTIATE_TEST_SUITE_P(Of, EveryPerturbation, testing::ValuesIn(all_perturbations()),
+                         name_of_perturbation);
+
+TEST(Perturbations, HaveNamesOfTheirOwnPlainFirst) {
+  std::set<std::string> names;
+  for (const Perturbation& each : all_perturbations()) {
+    EXPECT_FALSE(each.name.empty());
+    EXPECT_FALSE(each.summary.empty());
+    names.insert(each.name);
+  }
+  EXPECT_EQ(names.size(), all_perturbations().size());
+  EXPECT_EQ(all_perturbations().front().name, "plain");
   EXPECT_EQ(shown_as("count", "plain"), "count");
   EXPECT_EQ(shown_as("count", "noisy"), "count/noisy");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EveryPerturbation, testing::ValuesIn(all_perturbations()), name_of);
+/// Adds 1 to whatever the objective is.
+class OneMore : public PerturbedCalls {
+ public:
+  Values values(const Problem& shown, const Vector& x) override {
+    Values told = shown.evaluate(x);
+    told.objective += 1;
+    return told;
+  }
+};
 
-TEST(Perturbations, HaveNamesOfTheirOwnPlainFirst) {
-  std::set<std::string> names;
-  for (const Perturbation& perturbation : all_perturbations()) names.insert(perturbation.name);
-  EXPECT_EQ(names.size(), all_perturbations().size());
-  EXPECT_EQ(all_perturbations().front().name, "plain");
+Problem with_one_more(const Problem& problem) {
+  return perturbed_by(std::make_shared<OneMore>(), problem);
+}
+
+TEST(PerturbedCalls, PassesOnWhatItDoesNothingAbout) {
+  for (const Problem& problem : random_problems()) {
+    const Problem same = with_one_more(problem);
+    const Vector& x = problem.start;
+    EXPECT_EQ(same.evaluate(x).objective, problem.evaluate(x).objective + 1);
+    EXPECT_EQ(same.evaluate(x).constraints, problem.evaluate(x).constraints);
+    const Vector multipliers = Vector::Ones(problem.constraints);
+    EXPECT_EQ(told_at(same, x, 2, multipliers), told_at(problem, x, 2, multipliers));
+    EXPECT_EQ(same.true_values(x).objective, true_values_at(problem, x).objective);
+    EXPECT_EQ(same.smoothed(0.5).evaluate(x).objective,
+              problem.smoothed(0.5).evaluate(x).objective + 1);
+  }
+}
+
+TEST(PerturbedCalls, HasNoFunctionsThatTheProblemHasNot) {
+  Problem problem = random_problems().front();
+  problem.differentiate = nullptr;
+  problem.residuals = nullptr;
+  problem.lagrangian_hessian = nullptr;
+  problem.smoothed = nullptr;
+  const Problem same = with_one_more(problem);
+  EXPECT_FALSE(same.differentiate || same.residuals || same.lagrangian_hessian || same.smoothed);
+}
+
+TEST(PerturbedCalls, ComputesNothingTwiceWhereWhatIsShownIsTheTrueValues) {
+  Random random(1);
+  Problem problem = random_problem(random, {});
+  int calls = 0;
+  problem.evaluate = [&calls, evaluate = problem.evaluate](const Vector& x) {
+    ++calls;
+    return evaluate(x);
+  };
+  problem.differentiate = [&calls, differentiate = problem.differentiate](const Vector& x) {
+    ++calls;
+    return differentiate(x);
+  };
+  const Problem shown = with_one_more(problem);
+  Scorer scorer(shown);
+  Evaluator evaluator(shown, {1000}, &scorer);
+  for (int k = 0; k < 10; ++k) evaluator.values(uniform_point(problem, random));
+  EXPECT_EQ(calls, 10);
+  evaluator.derivatives(uniform_point(problem, random));
+  EXPECT_EQ(calls, 11);
+  evaluator.residuals(uniform_point(problem, random));
+  EXPECT_EQ(calls, 12) << "for the scorer, which has not been told the values";
+}
+
+/// The problem with everything that it tells replaced by what is drawn.
+Problem drawn(Drawn by, const Problem& problem) {
+  const auto draw = [](Eigen::Ref<Vector> values, Eigen::Ref<Matrix> slopes, Draws& draws) {
+    for (double& value : values) value = draws.uniform();
+    for (double& slope : slopes.reshaped()) slope = draws.uniform();
+  };
+  return told_by(draw, by, 3, problem);
+}
+
+void expect_all_different(const Told& one, const Told& other) {
+  std::vector<double> all = one.numbers();
+  for (const double number : other.numbers()) all.push_back(number);
+  EXPECT_EQ(std::set<double>(all.begin(), all.end()).size(), all.size());
+}
+
+TEST(Telling, DrawsForEveryNumberByItself) {
+  for (const Problem& problem : random_problems()) {
+    for (const Drawn by : {Drawn::by_call, Drawn::by_point}) {
+      const Problem told = drawn(by, problem);
+      const Told here = told_at(told, problem.start);
+      expect_all_different(here, told_at(told, *problem.best_point));
+      EXPECT_EQ(here.hessian, here.hessian.transpose());
+    }
+  }
+}
+
+TEST(Telling, RepeatsAtAPointOrNever) {
+  for (const Problem& problem : random_problems()) {
+    const Vector& x = problem.start;
+    const Problem by_point = drawn(Drawn::by_point, problem);
+    EXPECT_EQ(told_at(by_point, x), told_at(by_point, x));
+    EXPECT_EQ(by_point.evaluate(x), by_point.differentiate(x).values) << "derivatives or none";
+    const Problem by_call = drawn(Drawn::by_call, problem);
+    const Told first = told_at(by_call, x);
+    EXPECT_EQ(told_at(drawn(Drawn::by_call, problem), x), first);
+    expect_all_different(first, told_at(by_call, x));
+  }
+}
+
+TEST(Telling, CountsTheCallsOfEverySmoothingTogether) {
+  const Problem problem = random_problems().front();
+  const Problem told = drawn(Drawn::by_call, problem);
+  const double first = told.evaluate(problem.start).objective;
+  const double second = told.smoothed(0.1).evaluate(problem.start).objective;
+  EXPECT_NE(first, second);
+  EXPECT_NE(told.evaluate(problem.start).objective, second);
 }
 
 }  // namespace

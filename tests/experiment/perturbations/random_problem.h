@@ -1,6 +1,9 @@
 #pragma once
 
-#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
@@ -104,6 +107,69 @@ inline std::vector<Problem> random_problems() {
     }
   }
   return problems;
+}
+
+/// Everything that a problem tells a solver at a point, the values as they come with derivatives.
+/// What the problem has not is empty.
+struct Told {
+  double objective = 0;
+  Vector constraints, gradient, residuals;
+  Matrix jacobian, jacobian_of_residuals, hessian;
+
+  bool operator==(const Told&) const = default;
+
+  /// All its numbers in a row; of the Hessian the upper half.
+  std::vector<double> numbers() const {
+    std::vector<double> all = {objective};
+    const auto add = [&all](const auto& list) {
+      for (const double number : list.reshaped()) all.push_back(number);
+    };
+    add(constraints), add(gradient), add(residuals), add(jacobian), add(jacobian_of_residuals);
+    for (Eigen::Index j = 0; j < hessian.cols(); ++j) add(hessian.col(j).head(j + 1));
+    return all;
+  }
+
+  /// With each of its numbers changed.
+  template <class Change>
+  Told changed(const Change& change) const {
+    const auto all = [&](const auto& list) {
+      return list.unaryExpr([&](double number) { return change(number); }).eval();
+    };
+    return {change(objective), all(constraints),           all(gradient), all(residuals),
+            all(jacobian),     all(jacobian_of_residuals), all(hessian)};
+  }
+};
+
+inline void PrintTo(const Told& told, std::ostream* stream) {
+  for (const double number : told.numbers()) *stream << number << ' ';
+}
+
+inline Told told_at(const Problem& problem, const Vector& x, double factor,
+                    const Vector& multipliers) {
+  const Derivatives d = problem.differentiate(x);
+  const Residuals r = problem.residuals ? problem.residuals(x) : Residuals();
+  return {d.values.objective,
+          d.values.constraints,
+          d.gradient,
+          r.values,
+          d.jacobian,
+          r.jacobian,
+          problem.lagrangian_hessian(x, factor, multipliers)};
+}
+
+inline Told told_at(const Problem& problem, const Vector& x) {
+  return told_at(problem, x, 1, Vector::Ones(problem.constraints));
+}
+
+inline bool operator==(const Values& a, const Values& b) {
+  return a.objective == b.objective && a.constraints == b.constraints;
+}
+inline bool operator==(const TrueValues& a, const TrueValues& b) {
+  return a.objective == b.objective && a.violation == b.violation;
+}
+
+inline bool is_inside(const Problem& problem, const Vector& x) {
+  return (x.array() >= problem.lower.array()).all() && (x.array() <= problem.upper.array()).all();
 }
 
 }  // namespace ricochet

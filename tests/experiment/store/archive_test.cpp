@@ -5,26 +5,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "ricochet/error.h"
-#include "src/core/files.h"
-#include "tests/support/files.h"
-#include "tests/experiment/store/stored_runs.h"
+#include "tests/experiment/store/stored.h"
 
 namespace ricochet {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 /// A run whose feasible improvements have these objectives, after 1, 2, ... evaluations.
 RunRecord record_of(const std::vector<double>& objectives) {
@@ -66,13 +61,20 @@ TEST(Archive, KeepsImprovementsToAHundredthTheFirstThatSolvesAndTheLast) {
   }
 }
 
-TEST(Archive, KeepsTheFirstAsGoodAsTheReturnedPoint) {
+TEST(Archive, KeepsTheFirstFeasibleThoseTooLargeToRoundAndTheFirstAsGoodAsTheReturnedPoint) {
   RunRecord record = record_of({11, 10, 9, 8});
   record.returned = ReturnedPoint{Vector::Ones(2), {9.5, 0.0}};
   const RunRecord thin = thinned(record, problem_of(1, 0));
   EXPECT_THAT(objectives_of(thin), ElementsAre(11, 9, 8));
   EXPECT_EQ(thin.returned->x.size(), 0);
   EXPECT_EQ(thin.returned->true_values.objective, 9.5);
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_THAT(objectives_of(thinned(record_of({largest, 1.5, 1.25}), problem_of(1, 0))),
+              ElementsAre(largest, 1.5, 1.25));
+  record = record_of({1, 2, 9, 8});
+  record.trace[0].true_values.violation = 2;
+  record.trace[1].true_values.violation = 1;
+  EXPECT_THAT(objectives_of(thinned(record, problem_of(0, 0))), ElementsAre(9, 8));
 }
 
 TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
@@ -85,8 +87,7 @@ TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
     std::ranges::sort(objectives, std::greater());
     RunRecord record = record_of(objectives);
     record.returned = ReturnedPoint{Vector::Ones(2), {objectives[4], 0.0}};
-    const StoredProblem problem = problem_of(best, 1e-6);
-    const RunRecord thin = thinned(record, problem);
+    const RunRecord thin = thinned(record, problem_of(best, 1e-6));
     for (const Improvement& step : thin.trace) {
       const double before = objectives[static_cast<std::size_t>(step.evaluations) - 1];
       const double after = step.true_values.objective;
@@ -102,19 +103,6 @@ TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
   }
 }
 
-TEST(Archive, KeepsValuesThatAreTooLargeToRound) {
-  const double largest = std::numeric_limits<double>::max();
-  EXPECT_THAT(objectives_of(thinned(record_of({largest, 1.5, 1.25}), problem_of(1, 0))),
-              ElementsAre(largest, 1.5, 1.25));
-}
-
-TEST(Archive, KeepsTheFirstFeasiblePoint) {
-  RunRecord record = record_of({1, 2, 9, 8});
-  record.trace[0].true_values.violation = 2;
-  record.trace[1].true_values.violation = 1;
-  EXPECT_THAT(objectives_of(thinned(record, problem_of(0, 0))), ElementsAre(9, 8));
-}
-
 class ArchiveFile : public TemporaryFolder {
  protected:
   const fs::path store_ = folder_ / "runs.sqlite";
@@ -122,78 +110,99 @@ class ArchiveFile : public TemporaryFolder {
 
   void SetUp() override {
     TemporaryFolder::SetUp();
-    std::mt19937_64 random(3);
     Store store = Store::create(store_, a_description());
-    for (int k = 0; k < 60; ++k) store.add(a_key(k), any_record(random));
+    add(store, any_records(60, 3));
+  }
+
+  /// The bytes of an archive of all runs.
+  std::string archived() const {
+    write_archive(reading(store_), archive_, [](const RunKey&) { return true; });
+    return text_of(archive_);
+  }
+
+  /// Expects that an archive of these bytes is refused under its own name.
+  void expect_refused(const std::string& bytes, const std::string& words) const {
+    write_file(archive_, bytes);
+    EXPECT_THAT(complaint_of([&] { return reading(archive_); }),
+                AllOf(testing::StartsWith(archive_.string() + ": "), HasSubstr(words)));
   }
 };
 
 TEST_F(ArchiveFile, IsReadAsAStoreOfTheThinnedRuns) {
-  const Store store = Store::open(store_, Store::For::reading);
+  const Store store = reading(store_);
   const auto wanted = [](const RunKey& key) { return key.cell.solver == "fast"; };
   write_archive(store, archive_, wanted, {{"citation", "Somebody, 2026"}});
   EXPECT_TRUE(is_archive(archive_));
   EXPECT_FALSE(is_archive(store_));
   EXPECT_LT(fs::file_size(archive_), fs::file_size(store_) / 2);
-  const Store archive = Store::open(archive_, Store::For::reading);
+  const Store archive = reading(archive_);
   EXPECT_TRUE(is_archived(archive.description()));
   EXPECT_FALSE(is_archived(store.description()));
   EXPECT_EQ(archive.description().made.at("citation"), "Somebody, 2026");
   EXPECT_EQ(archive.description().problems, store.description().problems);
-  std::map<RunKey, RunRecord> runs;
-  archive.each([&](const StoredRun& run) { runs[run.key] = run.record; });
-  std::size_t kept = 0;
+  std::map<RunKey, std::vector<std::string>> thin;
   store.each([&](const StoredRun& run) {
-    if (!wanted(run.key)) return;
-    ++kept;
     const auto& problems = store.description().problems;
     const auto problem = std::ranges::find(problems, run.key.cell.problem, &StoredProblem::name);
-    expect_kept(runs.at(run.key), thinned(run.record, *problem));
+    if (wanted(run.key)) thin[run.key] = bits_of(thinned(run.record, *problem));
   });
-  EXPECT_GT(kept, 10U);
-  EXPECT_EQ(runs.size(), kept);
+  EXPECT_GT(thin.size(), 10U);
+  EXPECT_EQ(bits_of(archive), thin);
 }
 
 TEST_F(ArchiveFile, IsRefusedIfItIsDamagedOrOpenedForAdding) {
-  write_archive(Store::open(store_, Store::For::reading), archive_,
-                [](const RunKey&) { return true; });
-  EXPECT_THROW(Store::open(archive_, Store::For::adding), InputError);
-  std::ifstream in(archive_, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  std::string bytes = archived();
+  EXPECT_THROW(adding(archive_), InputError);
   bytes[bytes.size() / 2] ^= 1;
-  write_text_file(archive_, bytes);
-  EXPECT_THAT([&] { Store::open(archive_, Store::For::reading); },
-              ThrowsMessage<InputError>(
-                  testing::AllOf(HasSubstr(archive_.string()), HasSubstr("damaged or cut off"))));
+  expect_refused(bytes, "damaged or cut off");
 }
 
 /// One that grows without end, has something behind its end or holds what is no store is refused
 /// under its own name.
 TEST_F(ArchiveFile, IsRefusedIfAStrangerMadeItOtherwise) {
-  write_archive(Store::open(store_, Store::For::reading), archive_,
-                [](const RunKey&) { return true; });
-  std::ifstream in(archive_, std::ios::binary);
-  const std::string ours(std::istreambuf_iterator<char>(in), {});
+  const std::string ours = archived();
   const fs::path touched = folder_ / "touched.sqlite";
   Store::create(touched, a_description());
   SQLite::Database(touched.string(), SQLite::OPEN_READWRITE)
       .exec("CREATE TRIGGER t AFTER INSERT ON run BEGIN DELETE FROM run; END");
-  std::ifstream store(touched, std::ios::binary);
-  const std::string with_trigger(std::istreambuf_iterator<char>(store), {});
+  const std::string with_trigger = text_of(touched);
   const std::string sparse = with_trigger + std::string(30'000'000, '\0');
-  for (const auto& [bytes, words] :
-       {std::pair{xz_compressed(std::string(200'000'000, '\0')), "holds more than"},
-        std::pair{xz_compressed(sparse), "holds more than"},
-        std::pair{ours + "x", "has 1 bytes behind its end"},
-        std::pair{ours + ours, "behind its end"},
-        std::pair{xz_compressed("text"), "file is not a database"},
-        std::pair{xz_compressed(""), "it is empty"},
-        std::pair{xz_compressed(with_trigger), "it has a trigger t that no store has"}}) {
-    write_text_file(archive_, bytes);
-    EXPECT_THAT([&] { Store::open(archive_, Store::For::reading); },
-                ThrowsMessage<InputError>(testing::AllOf(
-                    testing::StartsWith(archive_.string() + ": "), HasSubstr(words))));
+  expect_refused(xz_compressed(std::string(200'000'000, '\0')), "holds more than");
+  expect_refused(xz_compressed(sparse), "holds more than");
+  expect_refused(ours + "x", "has 1 bytes behind its end");
+  expect_refused(ours + ours, "behind its end");
+  expect_refused(xz_compressed("text"), "file is not a database");
+  expect_refused(xz_compressed(""), "it is empty");
+  expect_refused(xz_compressed(with_trigger), "it has a trigger t that no store has");
+}
+
+/// Text with repetitions, of this length.
+std::string some_text(std::size_t length) {
+  std::mt19937_64 random(length);
+  std::string text;
+  while (text.size() < length) text += std::to_string(random() % 1000) + ",";
+  text.resize(length);
+  return text;
+}
+
+TEST(Xz, ReturnsWhatWasCompressedUnlessItIsDamagedCutOffOrTooLarge) {
+  for (const std::size_t length : {0UL, 1UL, 65'536UL, 500'000UL}) {
+    const std::string text = some_text(length);
+    const std::string file = xz_compressed(text);
+    EXPECT_TRUE(is_xz(file));
+    EXPECT_EQ(xz_decompressed(file, length), text) << length;
+    EXPECT_TRUE(length < 1000 || file.size() < length / 2);
   }
+  EXPECT_FALSE(is_xz("SQLite format 3"));
+  EXPECT_FALSE(is_xz(""));
+  const std::string file = xz_compressed(some_text(10'000));
+  std::string damaged = file;
+  damaged[file.size() / 2] ^= 1;
+  expect_refusals([](const std::string& bytes) { return xz_decompressed(bytes, 9'999); },
+                  {{damaged, "damaged or cut off"},
+                   {file.substr(0, file.size() / 2), "damaged or cut off"},
+                   {"text", "damaged or cut off"},
+                   {file, "more than 9999 bytes"}});
 }
 
 }  // namespace

@@ -12,56 +12,38 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <thread>
 
-#include "ricochet/error.h"
 #include "src/core/files.h"
-#include "src/core/instance.h"
 #include "src/core/progress.h"
-#include "tests/support/files.h"
-#include "tests/experiment/store/stored_runs.h"
+#include "src/experiment/run_rows.h"
+#include "tests/experiment/store/stored.h"
+#include "tests/support/pipe.h"
 
 namespace ricochet {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::StartsWith;
-using testing::ThrowsMessage;
 
 class StoreFile : public TemporaryFolder {
  protected:
   const fs::path file = folder_ / "campaign.sqlite";
 
+  Store created() const { return Store::create(file, a_description()); }
+
   /// A closed store of so many runs.
-  std::map<RunKey, RunRecord> filled(int runs, unsigned seed = 1) const {
-    std::mt19937_64 random(seed);
-    std::map<RunKey, RunRecord> added;
-    Store store = Store::create(file, a_description());
-    for (int k = 0; k < runs; ++k) {
-      const RunRecord record = any_record(random);
-      store.add(a_key(k), record);
-      added[a_key(k)] = record;
-    }
-    return added;
+  std::vector<RunRecord> filled(int runs) const {
+    const std::vector<RunRecord> records = any_records(runs, 1);
+    Store store = created();
+    add(store, records);
+    return records;
   }
 
-  std::string bytes() const { return bytes_of(file); }
-
-  static std::string bytes_of(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
-  void write(const std::string& text) const { std::ofstream(file, std::ios::binary) << text; }
+  void write(const std::string& bytes) const { write_file(file, bytes); }
 
   /// Adds so many runs in another process, which then sends itself the signal.
   void add_and_end(int runs, int signal) const {
@@ -71,221 +53,186 @@ class StoreFile : public TemporaryFolder {
       // A shell's background jobs ignore some signals, and so would this one, for ever.
       if (signal != SIGKILL) std::signal(signal, SIG_DFL);
       end_tidily_when_interrupted();
-      std::mt19937_64 random(6);
-      Store store = Store::open(file, Store::For::adding);
-      for (int k = 0; k < runs; ++k) store.add(a_key(k), any_record(random));
+      Store store = adding(file);
+      add(store, any_records(runs, 6));
       kill(getpid(), signal);
       for (;;) pause();
     }
     waitpid(writer, nullptr, 0);
   }
-
-  /// How many files there are in the folder.
-  auto files() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-  }
-
-  /// Neither way to open it does more than refuse.
-  void expect_refused(const std::string& reason) const {
-    for (const auto purpose : {Store::For::reading, Store::For::adding}) {
-      EXPECT_THAT([&] { Store::open(file, purpose); },
-                  ThrowsMessage<InputError>(AllOf(StartsWith(file.string()), HasSubstr(reason))));
-    }
-  }
-
-  static std::map<RunKey, RunRecord> runs_of(const Store& store) {
-    std::map<RunKey, RunRecord> runs;
-    store.each([&](const StoredRun& run) { runs[run.key] = run.record; });
-    return runs;
-  }
 };
 
 TEST_F(StoreFile, KeepsEveryBitOfAnyRun) {
-  const auto added = filled(300);
-  const Store store = Store::open(file, Store::For::reading);
+  const std::vector<RunRecord> records = filled(300);
+  std::map<RunKey, std::vector<std::string>> added;
+  for (int k = 0; k < 300; ++k) {
+    added[a_key(k)] = bits_of(kept_of(records[static_cast<std::size_t>(k)]));
+  }
+  const Store store = reading(file);
   EXPECT_EQ(store.description(), a_description());
   EXPECT_EQ(store.size(), 300);
-  auto next = added.begin();
+  EXPECT_EQ(bits_of(store), added);
+  std::vector<RunKey> order;
   store.each([&](const StoredRun& run) {
-    ASSERT_NE(next, added.end());
-    EXPECT_EQ(run.key, next->first) << "in the order of keys";
-    expect_kept(run.record, next->second);
-    const auto again = store.find(run.number);
-    ASSERT_TRUE(again.has_value());
-    EXPECT_EQ(again->key, run.key);
-    expect_kept(again->record, next->second);
-    ++next;
+    order.push_back(run.key);
+    for (const auto& again : {store.find(run.number), store.find(run.key)}) {
+      ASSERT_TRUE(again.has_value());
+      EXPECT_EQ(again->key, run.key);
+      EXPECT_EQ(bits_of(again->record), bits_of(run.record));
+    }
   });
-  EXPECT_EQ(next, added.end());
-  const auto keys = store.keys();
-  EXPECT_TRUE(std::equal(keys.begin(), keys.end(), added.begin(), added.end(),
-                         [](const RunKey& key, const auto& run) { return key == run.first; }));
+  const std::set<RunKey> keys = store.keys();
+  EXPECT_EQ(order, std::vector<RunKey>(keys.begin(), keys.end())) << "in the order of keys";
   EXPECT_FALSE(store.find(0).has_value());
   EXPECT_FALSE(store.find(301).has_value());
+  EXPECT_FALSE(store.find(a_key(300)).has_value());
 }
 
-TEST_F(StoreFile, IsOneFileOnceItIsClosed) {
-  filled(3);
-  EXPECT_EQ(files(), 1);
-  EXPECT_EQ(caution(file), "") << "and nothing says that it lacks its log";
-}
-
-TEST_F(StoreFile, HasAllItsRunsOnceItIsFinishedThoughAnotherReadsIt) {
-  Store writer = Store::create(file, a_description());
-  for (int k = 0; k < 3; ++k) writer.add(a_key(k), {});
-  const Store reader = Store::open(file, Store::For::reading);
-  writer.finish();
-  EXPECT_EQ(reader.size(), 3);
-  const fs::path copy = folder_ / "copy.sqlite";
-  fs::copy(file, copy);
-  EXPECT_EQ(Store::open(copy, Store::For::reading).size(), 3);
+TEST_F(StoreFile, IsWholeAndCanOnlyBeReadOnceItIsFinishedThoughAnotherReadsIt) {
+  Store writer = created();
+  add(writer, std::vector<RunRecord>(3));
+  {
+    const Store reader = reading(file);
+    writer.finish();
+    EXPECT_EQ(reader.size(), 3);
+    const fs::path copy = folder_ / "copy.sqlite";
+    fs::copy(file, copy);
+    EXPECT_EQ(reading(copy).size(), 3);
+  }
+  EXPECT_EQ(writer.size(), 3);
+  EXPECT_THROW(writer.add(a_key(3), {}), OutputError);
+  EXPECT_NO_THROW(adding(file));
 }
 
 TEST_F(StoreFile, IsNotDraftedIntoWhatAnotherHasPutThere) {
-  const fs::path other = folder_ / "other.txt";
-  std::ofstream(other) << "another's\n";
+  const fs::path other = write_file(folder_ / "other.txt", "another's\n");
   for (int number = 0; number < 200; ++number) {  // the names that drafts get
     fs::create_symlink(other,
                        folder_ / fmt::format(".ricochet.{}.{}.store.part", getpid(), number));
   }
-  { const Store store = Store::create(file, a_description()); }
+  created();
   EXPECT_EQ(fs::file_size(other), 10);
   EXPECT_FALSE(fs::is_symlink(file));
-  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 0);
+  EXPECT_EQ(reading(file).size(), 0);
 }
 
-TEST_F(StoreFile, IsOneFileAfterAnInterruption) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+TEST_F(StoreFile, IsOneFileOnceItIsClosedAndAfterAnInterruption) {
+  for (const int signal : {0, SIGINT, SIGTERM, SIGHUP}) {
     fs::remove(file);
-    Store::create(file, a_description());
-    add_and_end(30, signal);
-    EXPECT_EQ(files(), 1) << signal;
-    EXPECT_EQ(caution(file), "");
-    EXPECT_EQ(Store::open(file, Store::For::reading).size(), 30);
+    if (signal == 0) {
+      filled(30);
+    } else {
+      created();
+      add_and_end(30, signal);
+    }
+    EXPECT_EQ(number_of_files(folder_), 1) << signal;
+    EXPECT_EQ(caution(file), "") << "and nothing says that it lacks its log";
+    EXPECT_EQ(reading(file).size(), 30);
   }
 }
 
-TEST_F(StoreFile, IsOneFileAfterItIsReadIfItsWriterWasKilled) {
-  Store::create(file, a_description());
+TEST_F(StoreFile, IsOneFileAfterItIsReadIfItsWriterWasKilledUnlessItsLogIsLeftBehind) {
+  created();
   add_and_end(30, SIGKILL);
-  EXPECT_GT(files(), 1);
-  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 30);
-  EXPECT_EQ(files(), 1);
-}
-
-TEST_F(StoreFile, CanOnlyBeReadOnceItIsFinished) {
-  Store store = Store::create(file, a_description());
-  store.add(a_key(0), {});
-  store.finish();
-  EXPECT_EQ(files(), 1);
-  EXPECT_EQ(store.size(), 1);
-  EXPECT_THROW(store.add(a_key(1), {}), OutputError);
-  EXPECT_NO_THROW(Store::open(file, Store::For::adding));
-}
-
-TEST_F(StoreFile, SaysThatRunsMayBeMissingInACopyOfItAlone) {
-  Store::create(file, a_description());
-  add_and_end(30, SIGKILL);
-  const fs::path copies = folder_ / "copies";
-  fs::create_directory(copies);
-  const fs::path copy = copies / file.filename();
+  const fs::path copy = folder_ / "copies" / file.filename();
+  fs::create_directory(copy.parent_path());
   fs::copy(file, copy);
   for (int k = 0; k < 2; ++k) {
-    EXPECT_LT(Store::open(copy, Store::For::reading).size(), 30);
+    EXPECT_LT(reading(copy).size(), 30);
     EXPECT_THAT(caution(copy), HasSubstr("runs may be missing"));
-    EXPECT_EQ(std::distance(fs::directory_iterator(copies), fs::directory_iterator()), 1);
+    EXPECT_EQ(number_of_files(copy.parent_path()), 1);
   }
   fs::copy(file.string() + "-wal", copy.string() + "-wal");
-  EXPECT_EQ(Store::open(copy, Store::For::reading).size(), 30);
-  EXPECT_EQ(caution(copy), "");
-}
-
-TEST_F(StoreFile, SaysThatRunsAreBeingAdded) {
-  const Store writer = Store::create(file, a_description());
-  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 0);
-  EXPECT_THAT(caution(file), HasSubstr("another ricochet is adding runs"));
+  for (const fs::path& whole : {copy, file}) {
+    EXPECT_EQ(reading(whole).size(), 30);
+    EXPECT_EQ(caution(whole), "");
+  }
+  EXPECT_EQ(number_of_files(folder_), 2) << "the file and the folder of copies";
 }
 
 TEST_F(StoreFile, HasAnyName) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
   for (const char* name : {":memory:", "file:x?mode=memory"}) {
-    {
-      Store store = Store::create(name, a_description());
-      store.add(a_key(0), {});
-    }
-    EXPECT_EQ(Store::open(folder_ / name, Store::For::reading).size(), 1) << name;
-    EXPECT_EQ(Store::open(name, Store::For::reading).size(), 1) << name;
+    Store::create(name, a_description()).add(a_key(0), {});
+    EXPECT_EQ(reading(folder_ / name).size(), 1) << name;
+    EXPECT_EQ(reading(name).size(), 1) << name;
   }
   fs::current_path(before);
 }
 
 TEST_F(StoreFile, TakesMoreRunsLater) {
-  const auto added = filled(3);
+  const std::vector<RunRecord> records = filled(3);
+  RunRecord another_reason;  // taken back with the run that is there already
+  another_reason.terminations = {{"never heard"}};
   {
-    Store store = Store::open(file, Store::For::adding);
+    Store store = adding(file);
     EXPECT_EQ(store.size(), 3);
     store.add(a_key(3), {});
-    EXPECT_THAT([&] { store.add(a_key(1), {}); },
-                ThrowsMessage<InputError>(HasSubstr("is there already")));
+    EXPECT_THAT(complaint_of([&] { return store.add(a_key(1), {}), 0; }),
+                HasSubstr("is there already"));
     RunKey stranger = a_key(4);
     stranger.cell.problem = "unheard";
     EXPECT_THROW(store.add(stranger, {}), InputError);
     stranger = a_key(4);
     stranger.cell.solver = "unheard";
     EXPECT_THROW(store.add(stranger, {}), InputError);
-    RunRecord another_reason;  // taken back with the run that is there already
-    another_reason.terminations = {{"never heard"}};
     EXPECT_THROW(store.add(a_key(1), another_reason), InputError);
     store.add(a_key(4), another_reason);
   }
-  const Store store = Store::open(file, Store::For::reading);
+  const Store store = reading(file);
   EXPECT_EQ(store.size(), 5);
-  expect_kept(runs_of(store).at(a_key(1)), added.at(a_key(1)));
-  EXPECT_EQ(runs_of(store).at(a_key(4)).terminations.at(0).reason, "never heard");
+  EXPECT_EQ(bits_of(store).at(a_key(1)), bits_of(kept_of(records[1])));
+  EXPECT_EQ(bits_of(store).at(a_key(4)), bits_of(another_reason));
 }
 
 TEST_F(StoreFile, IsNeverMadeOverAnother) {
   write("mine");
-  EXPECT_THROW(Store::create(file, a_description()), InputError);
-  EXPECT_EQ(bytes(), "mine");
+  EXPECT_THROW(created(), InputError);
+  EXPECT_EQ(text_of(file), "mine");
   EXPECT_THROW(Store::create(folder_ / "missing" / "file", a_description()), InputError);
   EXPECT_THROW(Store::create("/dev/null", a_description()), InputError);
   CampaignDescription twice = a_description();
   twice.solvers.push_back(twice.solvers[0]);
   EXPECT_THROW(Store::create(folder_ / "new", twice), InputError);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
-      << "nothing is left";
+  EXPECT_EQ(number_of_files(folder_), 1) << "nothing is left";
   fs::rename(file, file.string() + "-wal");  // as of a killed store that was removed
-  EXPECT_THAT([&] { Store::create(file, a_description()); },
-              ThrowsMessage<InputError>(HasSubstr("is left of another")));
+  EXPECT_THAT(complaint_of([&] { return created(); }), HasSubstr("is left of another"));
 }
 
 TEST_F(StoreFile, IsWrittenByOneWhileOthersRead) {
-  Store store = Store::create(file, a_description());
-  EXPECT_THAT([&] { Store::open(file, Store::For::adding); },
-              ThrowsMessage<InputError>(HasSubstr("another ricochet adds runs")));
-  const Store reader = Store::open(file, Store::For::reading);
+  Store store = created();
+  EXPECT_EQ(reading(file).size(), 0);
+  EXPECT_THAT(caution(file), HasSubstr("another ricochet is adding runs"));
+  EXPECT_THAT(complaint_of([&] { return adding(file); }), HasSubstr("another ricochet adds runs"));
+  const Store reader = reading(file);
   for (int k = 0; k < 5; ++k) {
     store.add(a_key(k), {});
     EXPECT_EQ(reader.size(), k + 1);
-    EXPECT_EQ(Store::open(file, Store::For::reading).size(), k + 1);
+    EXPECT_EQ(reading(file).size(), k + 1);
   }
   { const Store closed = std::move(store); }
   EXPECT_EQ(reader.size(), 5);
-  EXPECT_NO_THROW(Store::open(file, Store::For::adding));
-  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 5);
+  EXPECT_NO_THROW(adding(file));
+  EXPECT_EQ(reading(file).size(), 5);
+}
+
+/// Sets a limit of this process, and returns what it was.
+template <class Resource>
+rlimit limited_to(Resource resource, rlim_t most) {
+  rlimit before{};
+  getrlimit(resource, &before);
+  const rlimit limit = {most, before.rlim_max};
+  setrlimit(resource, &limit);
+  return before;
 }
 
 TEST_F(StoreFile, SaysWhenTheDiskIsFull) {
   filled(1);
   std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
   {
-    Store store = Store::open(file, Store::For::adding);
-    const rlimit small = {60'000, before.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
+    Store store = adding(file);
+    const rlimit before = limited_to(RLIMIT_FSIZE, 60'000);
     const auto record = [](int number) {  // of which one table more has something new
       RunRecord made;
       made.terminations = {{"the reason " + std::to_string(number)}};
@@ -298,80 +245,75 @@ TEST_F(StoreFile, SaysWhenTheDiskIsFull) {
     store.add(a_key(added), record(added));
     EXPECT_EQ(store.size(), added + 1) << "goes on when there is room again";
   }
-  EXPECT_NO_THROW(Store::open(file, Store::For::reading));
+  EXPECT_NO_THROW(reading(file));
 }
 
 TEST_F(StoreFile, IsNotBegunWhereNoMoreFilesMayBeOpen) {
-  rlimit before{};
-  getrlimit(RLIMIT_NOFILE, &before);
   const int next = dup(STDERR_FILENO);
   ::close(next);
-  const rlimit all_taken = {static_cast<rlim_t>(next), before.rlim_max};
-  setrlimit(RLIMIT_NOFILE, &all_taken);
-  EXPECT_THAT([&] { Store::create(file, a_description()); },
-              ThrowsMessage<OutputError>(HasSubstr("cannot be made: Too many open files")));
+  const rlimit before = limited_to(RLIMIT_NOFILE, static_cast<rlim_t>(next));
+  EXPECT_THAT(complaint_of<OutputError>([&] { return created(); }),
+              HasSubstr("cannot be made: Too many open files"));
   setrlimit(RLIMIT_NOFILE, &before);
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(StoreFile, OfAnotherKindIsRefusedUntouched) {
-  expect_refused("No such file");
-  write("");
-  expect_refused("empty");
-  write("plan = \"campaign\"\n");
-  expect_refused("not a database");
-  EXPECT_EQ(bytes(), "plan = \"campaign\"\n");
-  write("SQLite format 3");
-  expect_refused("not a database");
+  expect_no_store(file, "No such file");
+  for (const auto& [bytes, words] : {std::pair("", "empty"),
+                                     {"plan = \"campaign\"\n", "not a database"},
+                                     {"SQLite format 3", "not a database"}}) {
+    write(bytes);
+    expect_no_store(file, words);
+    EXPECT_EQ(text_of(file), bytes);
+  }
   fs::remove(file);
   fs::create_directory(file);
-  expect_refused("no file, but a folder");
+  expect_no_store(file, "no file, but a folder");
   fs::remove(file);
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  expect_refused("pipe");
-  EXPECT_THROW(Store::open("/dev/null", Store::For::reading), InputError);
-  EXPECT_THROW(Store::open("/dev/zero", Store::For::adding), InputError);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
-      << "nothing is made beside it";
+  expect_no_store(file, "pipe");
+  EXPECT_THROW(reading("/dev/null"), InputError);
+  EXPECT_THROW(adding("/dev/zero"), InputError);
+  EXPECT_EQ(number_of_files(folder_), 1) << "nothing is made beside it";
 }
 
 TEST_F(StoreFile, OfAnotherProgramOrVersionIsRefusedUntouched) {
   filled(1);
-  const std::string whole = bytes();
-  // Offsets as in https://www.sqlite.org/fileformat2.html, 1.3.
-  for (const auto& [offset, reason] :
-       {std::pair(68, std::string("another program made it")),
-        std::pair(60, fmt::format("made by version {} of the suite, this is version {}",
-                                  0x0A000000 + suite_version, suite_version))}) {
+  const std::string whole = text_of(file);
+  // Offsets as in https://www.sqlite.org/fileformat2.html, 1.3; the suite's version is at 60 to 63.
+  const std::string of_version =
+      "cannot be opened as a campaign: made by version {} of the suite, "
+      "this is version {}";
+  struct Change {
+    std::size_t offset;
+    char byte;
+    std::string reason;
+  };
+  for (const auto& [offset, byte, reason] : std::vector<Change>{
+           {68, 10, "another program made it"},
+           {60, 10,
+            fmt::format(fmt::runtime(of_version), 0x0A000000 + suite_version, suite_version)},
+           {63, 1,
+            fmt::format(fmt::runtime(of_version), 1, 3) +
+                "; run the plan again, or use ricochet 0.1"}}) {
     std::string changed = whole;
-    changed[static_cast<std::size_t>(offset)] = 10;
+    changed[offset] = byte;
     write(changed);
-    expect_refused(reason);
-    EXPECT_EQ(bytes(), changed);
+    expect_no_store(file, reason);
+    EXPECT_EQ(text_of(file), changed);
   }
   std::string renamed = whole;
   renamed.replace(renamed.find("termination_reason"), 7, "REFUSAL");
   write(renamed);
-  expect_refused("");
-  EXPECT_EQ(bytes(), renamed);
-}
-
-TEST_F(StoreFile, OfVersion1OfTheSuiteIsRefusedInALineThatSaysSo) {
-  filled(1);
-  std::string old = bytes();
-  old[63] = 1;  // the user_version
-  write(old);
-  EXPECT_THAT(
-      [&] { Store::open(file, Store::For::reading); },
-      ThrowsMessage<InputError>(file.string() + ": cannot be opened as a campaign: made by version "
-                                                "1 of the suite, this is version 3; run "
-                                                "the plan again, or use ricochet 0.1"));
+  expect_no_store(file, "");
+  EXPECT_EQ(text_of(file), renamed);
 }
 
 /// What a store tells, or that it refuses.
 std::optional<std::string> told(const fs::path& file) {
   try {
-    const Store store = Store::open(file, Store::For::reading);
+    const Store store = reading(file);
     return store.digest() + std::to_string(store.keys().size());
   } catch (const InputError&) {
     return std::nullopt;
@@ -380,7 +322,7 @@ std::optional<std::string> told(const fs::path& file) {
 
 TEST_F(StoreFile, ThatIsDamagedTellsTheTrueValuesOrNothing) {
   filled(20);
-  const std::string whole = bytes();
+  const std::string whole = text_of(file);
   const auto true_values = told(file);
   ASSERT_TRUE(true_values.has_value());
   std::mt19937_64 random(3);
@@ -398,12 +340,12 @@ TEST_F(StoreFile, ThatIsDamagedTellsTheTrueValuesOrNothing) {
     EXPECT_TRUE(!answer || answer == true_values) << k;
     if (k % 10 == 0) {
       try {
-        Store::open(file, Store::For::adding);
+        adding(file);
       } catch (const InputError&) {
-        EXPECT_EQ(bytes(), damaged);
+        EXPECT_EQ(text_of(file), damaged);
       }
     } else {
-      ASSERT_EQ(bytes(), damaged) << k;
+      ASSERT_EQ(text_of(file), damaged) << k;
     }
     for (const char* beside : {"-wal", "-shm", "-journal", "-lock"}) {
       fs::remove(file.string() + beside);
@@ -413,88 +355,69 @@ TEST_F(StoreFile, ThatIsDamagedTellsTheTrueValuesOrNothing) {
 }
 
 TEST_F(StoreFile, HasAllRunsThatWereAddedBeforeItsWriterWasKilled) {
-  Store::create(file, a_description());
+  created();
   std::mt19937_64 random(4);
   int there = 0;
   for (int killed = 0; killed < 40; ++killed) {
-    int ends[2];
-    ASSERT_EQ(pipe(ends), 0);
+    Pipe pipe;
     const pid_t writer = fork();
     ASSERT_GE(writer, 0);
     if (writer == 0) {
       std::mt19937_64 any(5);
       for (;;) {  // opened, filled and closed again and again
-        Store store = Store::open(file, Store::For::adding);
+        Store store = adding(file);
         for (int k = 0; k < 20; ++k, ++there) {
-          store.add(a_key(there), any_record(any));
-          if (::write(ends[1], "+", 1) != 1) _exit(1);
+          store.add(a_key(there), any::record(any));
+          if (::write(pipe.write_end(), "+", 1) != 1) _exit(1);
         }
       }
     }
-    ::close(ends[1]);
-    pollfd first{ends[0], POLLIN, 0};
+    pipe.stop_writing();
+    pollfd first{pipe.read_end(), POLLIN, 0};
     if (killed % 2 == 0) poll(&first, 1, 10'000);  // else before it has added any, maybe
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));
     kill(writer, SIGKILL);
     waitpid(writer, nullptr, 0);
-    char told[1 << 16];
-    int acknowledged = there;
-    for (ssize_t got = 0; (got = read(ends[0], told, sizeof told)) > 0;) {
-      acknowledged += static_cast<int>(got);
-    }
-    ::close(ends[0]);
-    const Store store = Store::open(file, Store::For::reading);
+    const int acknowledged = there + static_cast<int>(pipe.rest().size());
+    const Store store = reading(file);
     const auto keys = store.keys();
     there = static_cast<int>(keys.size());
     ASSERT_GE(there, acknowledged);
     ASSERT_LE(there, acknowledged + 1) << "at most the run in flight";
     for (int k = 0; k < there; ++k) ASSERT_TRUE(keys.contains(a_key(k)));
-    ASSERT_EQ(runs_of(store).size(), keys.size()) << "all can be read";
+    ASSERT_EQ(bits_of(store).size(), keys.size()) << "all can be read";
   }
   EXPECT_GT(there, 0);
 }
 
 // The first page, which tells the size of all, is moved from the log to the file before the rest.
 TEST_F(StoreFile, IsReadWhereItsWriterWasKilledAsItMovedTheFirstPage) {
-  Store::create(file, a_description());
-  const pid_t writer = fork();
-  ASSERT_GE(writer, 0);
-  if (writer == 0) {
-    std::mt19937_64 random(6);
-    Store store = Store::open(file, Store::For::adding);
-    for (int k = 0; k < 100; ++k) store.add(a_key(k), any_record(random));
-    raise(SIGKILL);
-  }
-  waitpid(writer, nullptr, 0);
-  std::string moved = bytes();
+  created();
+  add_and_end(100, SIGKILL);
+  std::string moved = text_of(file);
   constexpr std::size_t pages = 28;  // https://www.sqlite.org/fileformat2.html, 1.3
   ASSERT_EQ(moved[pages], 0);
   moved[pages + 2] = 1;
   write(moved);
-  EXPECT_EQ(Store::open(file, Store::For::reading).keys().size(), 100U);
+  EXPECT_EQ(reading(file).keys().size(), 100U);
 }
 
 TEST_F(StoreFile, IsReadWhereNothingCanBeWritten) {
   filled(4);
   const auto expect_readable = [&] {
-    constexpr mode_t read_only = 0555;
-    ASSERT_EQ(chmod(folder_.c_str(), read_only), 0);
+    fs::permissions(folder_, fs::perms{0555});
     const bool root = geteuid() == 0;  // who may write everywhere
     constexpr uid_t nobody = 65534;
-    if (root) {
-      ASSERT_EQ(seteuid(nobody), 0);
-    }
-    EXPECT_NO_THROW(EXPECT_EQ(Store::open(file, Store::For::reading).size(), 4));
-    EXPECT_THROW(Store::open(file, Store::For::adding), InputError);
-    if (root) {
-      ASSERT_EQ(seteuid(0), 0);
-    }
+    ASSERT_TRUE(!root || seteuid(nobody) == 0);
+    EXPECT_NO_THROW(EXPECT_EQ(reading(file).size(), 4));
+    EXPECT_THROW(adding(file), InputError);
+    ASSERT_TRUE(!root || seteuid(0) == 0);
     fs::permissions(folder_, fs::perms::owner_all);
   };
   expect_readable();
   {  // a reader keeps it from being closed wholly
-    auto writer = std::make_unique<Store>(Store::open(file, Store::For::adding));
-    const Store reader = Store::open(file, Store::For::reading);
+    auto writer = std::make_unique<Store>(adding(file));
+    const Store reader = reading(file);
     writer.reset();
   }
   expect_readable();
@@ -502,8 +425,7 @@ TEST_F(StoreFile, IsReadWhereNothingCanBeWritten) {
 
 TEST_F(StoreFile, HasADigestOfAllButTimesAndPlaces) {
   std::mt19937_64 random(6);
-  std::vector<RunRecord> records;
-  for (int k = 0; k < 30; ++k) records.push_back(any_record(random));
+  std::vector<RunRecord> records = any_records(30, 6);
   std::vector<int> order(records.size());
   std::iota(order.begin(), order.end(), 0);
   const auto digest = [&](const CampaignDescription& description) {
@@ -527,6 +449,30 @@ TEST_F(StoreFile, HasADigestOfAllButTimesAndPlaces) {
   records[5].seed ^= 1;
   elsewhere.plan += "\n";
   EXPECT_NE(digest(elsewhere), first);
+}
+
+TEST(RunKey, IsNamedWithAllOfItAndFoundAgainByItsAddress) {
+  const RunKey key = {{"valley", "count", "plain", "fast", 20, "measured"}, 3, 4};
+  EXPECT_EQ(
+      name_of(key),
+      "run 4 of fast on instance 3 of valley (formulation count, perturbation plain, budget 20, "
+      "gradient price measured)");
+  EXPECT_EQ(address_of(key), "valley/count/plain/fast/20/measured/3/4");
+  EXPECT_EQ(key_at(address_of(key)), key);
+  for (const char* none : {"", "17", "valley/count/plain/fast/20/n/3", "a/b/c/d/20/n/3/4/5",
+                           "a/b/c/d/x/n/3/4", "a/b/c/d/20/n/-3/4", "a/b/c/d/20/n/3/4 "}) {
+    EXPECT_FALSE(key_at(none)) << none;
+  }
+}
+
+TEST(RepeatedTerminations, KeepTheirOrder) {
+  const std::vector<SolverTermination> terminations = {{"a"}, {"a"}, {"b"}, {"a"}};
+  const auto few = repeated(terminations);
+  ASSERT_EQ(few.size(), 3U);
+  EXPECT_EQ(few[0].reason, "a");
+  EXPECT_EQ(few[0].starts, 2);
+  EXPECT_EQ(expanded(few), terminations);
+  EXPECT_TRUE(repeated({}).empty());
 }
 
 }  // namespace

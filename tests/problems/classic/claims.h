@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "ricochet/run.h"
 #include "src/core/difference.h"
 #include "src/core/instance.h"
+#include "tests/support/files.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {
@@ -23,73 +26,18 @@ inline Problem named(const std::vector<Problem>& problems, const std::string& na
   return *found;
 }
 
-/// The best point attains the best value, and lies in the box and in the constraints; the box and
-/// the start are finite, and the texts are there.
-inline void expect_statement(const Problem& problem) {
-  SCOPED_TRACE(problem.name);
-  EXPECT_FALSE(problem.source.empty());
-  EXPECT_FALSE(problem.provenance.empty());
-  ASSERT_TRUE(problem.best_known && problem.best_point);
-  const Vector& best = *problem.best_point;
-  for (const Vector* x : {&problem.lower, &problem.upper, &problem.start, &best}) {
-    ASSERT_EQ(x->size(), problem.dimension());
-    EXPECT_TRUE(x->allFinite());
-    EXPECT_TRUE((x->array() >= problem.lower.array()).all());
-    EXPECT_TRUE((x->array() <= problem.upper.array()).all());
+/// The lines of a table beside the tests that are of problems of this kind, in their cells.
+inline std::vector<std::vector<std::string>> lines_published(const std::string& table,
+                                                             const std::string& kind) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(
+           text_of(std::filesystem::path(RICOCHET_SOURCE) / "tests/problems/classic" / table))) {
+    if (!line.starts_with(kind)) continue;
+    rows.emplace_back();
+    std::istringstream cells(line + ",");
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
   }
-  EXPECT_TRUE((problem.upper.array() > problem.lower.array()).all());
-  const Values values = problem.evaluate(best);
-  EXPECT_NEAR(values.objective, *problem.best_known, 1e-11 * std::abs(*problem.best_known) + 1e-20);
-  EXPECT_EQ(values.constraints.size(), problem.constraints);
-  EXPECT_EQ(true_values_at(problem, best).violation, 0);
-  if (problem.equalities > 0) {
-    const Matrix jacobian = problem.differentiate(best).jacobian.topRows(problem.equalities);
-    const Vector terms = jacobian.cwiseAbs() * best.cwiseAbs();  // they cancel
-    EXPECT_TRUE((values.constraints.head(problem.equalities).cwiseAbs().array() <=
-                 1e-15 * terms.array().max(1000))
-                    .all())
-        << values.constraints.head(problem.equalities).transpose();
-  }
-  if (problem.rotates) {
-    EXPECT_TRUE((best.array() > problem.lower.array()).all());
-    EXPECT_TRUE((best.array() < problem.upper.array()).all());
-  }
-}
-
-/// No random point of the problem, of 1000, and of its first instances, of 200 each, is feasible
-/// and better than the best.
-inline void expect_nothing_better(const Problem& problem) {
-  SCOPED_TRACE(problem.name);
-  Random random(seed_of(problem.name, "points", 0, 0));
-  for (int number = 0; number <= 3; ++number) {
-    const Problem moved = instance(problem, number);
-    const int points = number == 0 ? 1000 : 200;
-    for (int i = 0; i < points; ++i) {
-      const TrueValues true_values = true_values_at(moved, uniform_point(moved, random));
-      if (true_values.violation > 0) continue;
-      ASSERT_GE(true_values.objective, *problem.best_known - 1e-9);
-    }
-  }
-}
-
-/// The first instances have the best value at their own best point, turned or not, but for a
-/// rounding of each coordinate.
-inline void expect_best_in_instances(const Problem& problem) {
-  SCOPED_TRACE(problem.name);
-  double objective_off = 1e-9 * std::max(1.0, std::abs(*problem.best_known));
-  double constraints_off = 1e-9;
-  if (problem.differentiate) {
-    const Derivatives d = problem.differentiate(*problem.best_point);
-    const Vector rounding = 4e-15 * (problem.upper - problem.lower);
-    objective_off += d.gradient.cwiseAbs().dot(rounding);
-    if (problem.constraints > 0) constraints_off += (d.jacobian.cwiseAbs() * rounding).maxCoeff();
-  }
-  for (int number = 1; number <= 3; ++number) {
-    const Problem moved = instance(problem, number);
-    const TrueValues true_values = true_values_at(moved, *moved.best_point);
-    EXPECT_NEAR(true_values.objective, *problem.best_known, objective_off);
-    EXPECT_LE(true_values.violation, constraints_off);
-  }
+  return rows;
 }
 
 /// Objective and constraints as one vector.
@@ -127,25 +75,6 @@ void expect_columns(const Problem& problem, const Vector& x, const Matrix& jacob
         << "column " << i << "\n"
         << jacobian.col(i).transpose() << "\n"
         << found.transpose();
-  }
-}
-
-inline void expect_derivatives(const Problem& problem, double tolerance) {
-  SCOPED_TRACE(problem.name);
-  Random random(seed_of(problem.name, "derivatives", 0, 0));
-  for (int i = 0; i < 3; ++i) {
-    const Vector x = point_near_best(problem, random);
-    const Derivatives d = problem.differentiate(x);
-    EXPECT_EQ(all_of(d.values), all_of(problem.evaluate(x)));
-    Matrix rows(1 + problem.constraints, problem.dimension());
-    rows << d.gradient.transpose(), d.jacobian;
-    expect_columns(
-        problem, x, rows.topRows(1),
-        [&](const Vector& y) { return all_of(problem.evaluate(y)).head(1).eval(); }, tolerance);
-    if (problem.constraints == 0) continue;
-    expect_columns(
-        problem, x, d.jacobian, [&](const Vector& y) { return problem.evaluate(y).constraints; },
-        tolerance);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <fstream>
+#include <algorithm>
+#include <stdexcept>
 
 #include "src/report/json.h"
 #include "src/report/site/entries.h"
@@ -22,10 +23,16 @@ inline FoundReport made_up(const std::string& kind, Json data, const std::string
   throw std::logic_error(kind);
 }
 
+/// The same with results.
+inline FoundReport made_up(const std::string& kind, report::Results results) {
+  FoundReport report = made_up(kind, json_of(results), kind);
+  report.results = std::move(results);
+  return report;
+}
+
 /// Writes the data of a report into a folder of the site.
 inline void keep(const std::filesystem::path& site, const std::string& folder, const Json& data) {
-  std::filesystem::create_directories(site / folder);
-  std::ofstream(site / folder / "data.json") << data.dump();
+  write_file(site / folder / "data.json", data.dump());
 }
 
 /// A comparison with one family.
@@ -36,21 +43,12 @@ inline FoundReport found_comparison() {
   results.set("campaign", "compare");
   results.set("suite", 3);
   results.set("digest", "0123abcd");
-  ricochet::Table leaders{"leaders",
-                          {{"family"},
-                           {"budget"},
-                           {"first"},
-                           {"tuned"},
-                           {"returned"},
-                           {"best"},
-                           {"takes"},
-                           {"problems"},
-                           {"most"}}};
+  ricochet::Table leaders{
+      "leaders", columns_named("family,budget,first,tuned,returned,best,takes,problems,most")};
   leaders.add("count", 100, "scan, count", "", 0.5, 0.8, 2, 2, std::nullopt);
   results.add(std::move(leaders));
-  FoundReport report = made_up("comparison", json_of(results), "comparison");
+  FoundReport report = made_up("comparison", std::move(results));
   report.headline->finding = "Found: all.";
-  report.results = std::move(results);
   return report;
 }
 

@@ -1,23 +1,19 @@
 // Twenty questions that no page was written for, asked as a stranger would: node questions_test.js PROGRAM REPORTS FOLDER draws
 // the site of REPORTS into FOLDER by PROGRAM, searches it for the words of each question, and looks whether one of the first
 // three hits leads to the page that answers it, and whether the answer of the data stands there. Ends with 0, or 1 and what is
-// wrong. With a fourth argument it also prints a table.
+// wrong.
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
+import {records} from "./view_checks.js";
 
-const [program, reports, folder, print] = process.argv.slice(2);
+const [program, reports, folder] = process.argv.slice(2);
 const source = fs.readFileSync(new URL("../../../reports/templates/search.js", import.meta.url), "utf8");
 const {searched} = new Function(`${source.slice(0, source.indexOf("const texts ="))} return {searched};`)();
 
 const data = (report) => JSON.parse(fs.readFileSync(path.join(reports, report, "data.json"), "utf8"));
-// The rows of a table as objects; `part`: of a part of that title.
-const rows = (report, table, part) => {
-  const all = data(report), of = part === undefined ? all : Object.values(all.parts).flat().find(({title}) => title === part);
-  const {columns, rows} = of.tables[table];
-  return rows.map((row) => Object.fromEntries(columns.map(({name}, i) => [name, row[i]])));
-};
-const row = (report, table, is, part) => rows(report, table, part).find((one) => Object.entries(is).every(([key, value]) => one[key] === value));
+const rows = (report, table) => records(data(report).tables[table]);
+const row = (report, table, is) => rows(report, table).find((one) => Object.entries(is).every(([key, value]) => one[key] === value));
 const fixed = (number, digits) => number.toFixed(digits);
 const exponent = (name) => {
   const value = row("reproduction", "exponents", {constant: name}).C1;
@@ -63,7 +59,6 @@ for (const [question, words, pages, says] of questions) {
     ++wrong;
     console.log(`${question} "${words}": ${place < 0 ? `leads to ${hits.map((hit) => hit.address).join(", ") || "nothing"}` : `"${answer}" does not stand on ${pageOf(hits[place])}`}`);
   }
-  if (print) console.log(`| ${question} | ${words} | ${place < 0 ? "" : `${hits[place].page}: ${hits[place].heading}`} | ${place < 0 ? "no" : `hit ${place + 1}, 2 clicks`} | ${isThere ? `yes: ${answer}` : "no"} |`);
 }
 console.log(`${questions.length} questions, ${wrong} not answered`);
 process.exit(wrong ? 1 : 0);

@@ -60,10 +60,11 @@ const checkCells = async ({open, check, folder}, page) => {
     const {left: x, top: y, width} = svg.getBoundingClientRect();
     return {x, y, scale: width / svg.viewBox.baseVal.width};
   });
-  await map.mouse.move(place.x + place.scale * (left + (right - left) * 1.5 / columns.length), place.y + place.scale * (top + (bottom - top) * 2.5 / rows.length));
+  const pointer = [place.x + place.scale * (left + (right - left) * 1.5 / columns.length), place.y + place.scale * (top + (bottom - top) * 2.5 / rows.length)];
+  await map.mouse.move(...pointer);
   const title = () => map.$eval(".cell-link", (link) => link.title);
   check((await title()).startsWith(`${rows[2][0]}, ${columns[1][0]}: `), `the cell under the pointer is said to be ${await title()}`);
-  check(await map.evaluate((x, y) => document.elementFromPoint(x, y).className === "cell-link", place.x + place.scale * (left + (right - left) * 1.5 / columns.length), place.y + place.scale * (top + (bottom - top) * 2.5 / rows.length)), "the link does not lie under the pointer");
+  check(await map.evaluate((x, y) => document.elementFromPoint(x, y).className === "cell-link", ...pointer), "the link does not lie under the pointer");
   await map.focus(".cell-link");
   for (const key of ["ArrowDown", "ArrowLeft"]) await map.keyboard.press(key);
   check((await title()).startsWith(`${rows[3][0]}, ${columns[0][0]}: `), `the keys lead to ${await title()}`);
@@ -84,6 +85,10 @@ export const checkView = async ({open, check, folder, program}) => {
   // The parts of the families' pages, by family.
   const parts = new Map(dataOf(".").pages.flatMap((own) => dataOf(own).report === "comparison_family" ? dataOf(own).parts.families.map((part) => [part.id, part]) : []));
   const page = await open(name);
+  const show = async (hash = "") => {  // anew
+    await page.goto("about:blank");
+    await page.goto(`file://${file}${hash}`);
+  };
   const read = (selector) => page.$eval(selector, (one) => one.textContent);
 
   // At first: all families, each solver in its best formulations, as the table of speed and accuracy.
@@ -186,8 +191,7 @@ export const checkView = async ({open, check, folder, program}) => {
   await checkCells({open, check, folder}, page);
 
   // The charts have a step at the place of every row of numbers.
-  await page.goto("about:blank");
-  await page.goto(`file://${file}`);
+  await show();
   const steps = await page.evaluate(() => [ecdf, ratios].map(({chart: {svg, x, y}}) => {
     const corners = [...svg.querySelectorAll("path.line")].flatMap((line) => [...line.getAttribute("d").matchAll(/H([\d.]+)V([\d.]+)/g)].map(([, across, up]) => `${line.textContent} ${across} ${up}`));
     const rows = JSON.parse(svg.parentElement.querySelector("script.chart-csv").textContent).trim().split("\n").slice(1).map((row) => row.match(/^"?(.*?)"?,([^,]*),([^,]*)$/).slice(1));
@@ -196,7 +200,7 @@ export const checkView = async ({open, check, folder, program}) => {
   for (const {rows, missing} of steps) check(rows > 20 && missing.length === 0, `a chart of the view has no step for ${missing.length} of ${rows} rows: ${missing.slice(0, 3).join("; ")}`);
 
   // By the keyboard: choose a family, open an entry and a problem, and follow the link that this leaves.
-  await page.goto(`file://${file}`);
+  await show();
   await page.focus("[name=family]");
   for (const key of "top-speed") await page.keyboard.press(key);
   check(await page.$eval("[name=family]", (select) => select.value) === "top-speed", "a keyboard does not choose a family");
@@ -213,16 +217,13 @@ export const checkView = async ({open, check, folder, program}) => {
   check(await page.evaluate(() => document.activeElement.textContent.startsWith("Runs of ")), "a problem does not open by Enter");
   const seen = await page.$eval("#page-content", (main) => main.innerText), link = await page.evaluate(() => location.hash);
   check(/family=top-speed/.test(link) && /entry=/.test(link) && /problem=/.test(link), `the link keeps ${link}`);
-  await page.goto("about:blank");
-  await page.goto(`file://${file}${link}`);
+  await show(link);
   check(await page.$eval("#page-content", (main) => main.innerText) === seen, "the link does not lead to the same view");
-  await page.goto("about:blank");
-  await page.goto(`file://${file}#family=nowhere`);
+  await show("#family=nowhere");
   check(/family = nowhere/.test(await read("#view-complaint")), "a wrong link is not said to be wrong");
 
   // The commands of runs make these runs.
-  await page.goto("about:blank");
-  await page.goto(`file://${file}#${new URLSearchParams({family: "top-speed", formulation: "all", entry: "bisection, count", problem: "top-speed/top-speed-C1"})}`);
+  await show(`#${new URLSearchParams({family: "top-speed", formulation: "all", entry: "bisection, count", problem: "top-speed/top-speed-C1"})}`);
   const commands = (await read("#view-runs pre")).split("\n").filter((one) => one.startsWith("./ricochet solve "));
   const cells = await page.$$eval("#view-runs tbody tr", (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
   check(commands.length === cells.length && cells.length >= 2, `${commands.length} commands for ${cells.length} runs`);

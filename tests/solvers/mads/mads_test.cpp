@@ -1,58 +1,211 @@
 #include "solvers/mads.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "problems/classic/classic.h"
-#include "ricochet/run.h"
-#include "src/core/evaluator.h"
-#include "tests/support/problems.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet {
 namespace {
 
+TEST(Mesh, GetsFinerByAFactorOfFourAndCoarserUpToItsCoarsest) {
+  Mesh mesh(2, 1, 1);
+  EXPECT_EQ(mesh.spacing(), 1.0 / 16);
+  mesh.refine();
+  EXPECT_EQ(mesh.spacing(), 1.0 / 64);
+  mesh.coarsen();
+  EXPECT_EQ(mesh.index(), 2);
+  const struct {
+    int index, coarsest;
+    double coarsest_spacing, spacing;
+    int last_index;
+  } cases[] = {{2, 1, 0.5, 0.5 / 4, 1},
+               {0, -3, 0.1, 0.1, -3},  // the polls are longer instead: 2^3 times
+               {0, 1, 1, 1, 0}};       // it begins coarser than its coarsest
+  for (const auto& [index, coarsest, coarsest_spacing, spacing, last_index] : cases) {
+    Mesh coarsened(index, coarsest, coarsest_spacing);
+    for (int i = 0; i < 5; ++i) coarsened.coarsen();
+    EXPECT_EQ(coarsened.index(), last_index);
+    EXPECT_EQ(coarsened.spacing(), spacing);
+  }
+}
+
+TEST(PollBasis, IsOrthogonalAndOfIntegersNoLongerThanThePoll) {
+  Random random(1);
+  for (const Eigen::Index n : {1, 2, 3, 5, 16}) {
+    for (int index = 0; index <= 26; ++index) {
+      const Matrix basis = poll_basis(normal(n, random), index);
+      EXPECT_EQ(basis, basis.unaryExpr([](double entry) { return std::round(entry); }));
+      const double length = basis.col(0).norm(), most = std::ldexp(1.0, index);
+      EXPECT_TRUE(length >= 1 && length <= most) << n << " " << index;
+      EXPECT_TRUE(index < 12 || length > 0.8 * most) << "the mesh is fine: " << n << " " << index;
+      // Integers: what is orthogonal is so to the last digit, but for products beyond 2^53.
+      const Matrix off = basis.transpose() * basis - length * length * Matrix::Identity(n, n);
+      EXPECT_LE(off.cwiseAbs().maxCoeff(), 1e-14 * length * length) << n << " " << index;
+    }
+  }
+}
+
+TEST(PollBasis, ReflectsTheDirectionItIsGiven) {
+  const Vector direction{{0.3, -0.5, 0.8}};
+  const Vector reflected = poll_basis(direction, 24) * direction;
+  EXPECT_LT((reflected.normalized() + direction.normalized()).norm(), 1e-3);
+  EXPECT_EQ(poll_basis(Vector{{0.6, -0.7}}, 0), (Matrix{{1, 0}, {0, -1}})) << "the coarsest mesh";
+}
+
+/// Vectors that span the space positively: every other one makes an acute angle with one of them.
+TEST(PollDirections, LeadEverywhere) {
+  Random random(3);
+  for (const Eigen::Index n : {1, 2, 4, 9}) {
+    for (int draw = 0; draw < 200; ++draw) {
+      const Matrix basis = poll_basis(normal(n, random), draw % 20);
+      const auto directions = poll_directions(basis, normal(n, random));
+      EXPECT_EQ(directions.size(), static_cast<std::size_t>(n + 1));
+      const Vector any = normal(n, random).normalized();
+      double nearest = -1;
+      for (const Vector& d : directions) nearest = std::max(nearest, any.dot(d.normalized()));
+      // The cosine measure of n orthogonal unit vectors and the opposite of their sum.
+      const auto size = static_cast<double>(n);
+      const double cosine = 1 / std::sqrt(size * size + 2 * (size - 1) * std::sqrt(size));
+      EXPECT_GE(nearest, cosine - 1e-12);
+    }
+  }
+}
+
+TEST(PollDirections, BeginWithThoseAlongTheLeadingOneAndEndWithTheOppositeOfTheirSum) {
+  Random random(4);
+  const Vector leading{{1, 2, -3}};
+  const auto directions = poll_directions(poll_basis(normal(3, random), 6), leading);
+  ASSERT_EQ(directions.size(), 4U);
+  EXPECT_GE(directions[0].dot(leading), directions[1].dot(leading));
+  EXPECT_GE(directions[1].dot(leading), directions[2].dot(leading));
+  EXPECT_GE(directions[2].dot(leading), 0);
+  EXPECT_EQ(directions[3], -(directions[0] + directions[1] + directions[2]));
+}
+
+TEST(ViolationOf, SumsTheSquaresOfWhatIsBroken) {
+  EXPECT_EQ(violation_of({0, Vector{{2, -3, 4, 0}}}, 0), 4 + 16);
+  EXPECT_EQ(violation_of({0, Vector{{2, -3, 4, 0}}}, 2), 4 + 9 + 16);
+  EXPECT_EQ(violation_of({0, Vector{{-1e-7, 1e-7}}}, 1), 0) << "within constraint_tolerance";
+  EXPECT_DOUBLE_EQ(violation_of({0, Vector{{-2e-6, 3e-6}}}, 1), 4e-12 + 9e-12);
+  EXPECT_EQ(violation_of({0, Vector()}, 0), 0);
+  EXPECT_TRUE(std::isnan(violation_of({0, Vector{{quiet_nan}}}, 0)));
+}
+
+Trial trial(double objective, double violation) {
+  return {Vector::Constant(1, objective), objective, violation};
+}
+
+TEST(Barrier, TakesATieForNoSuccessAndMovesToItIfItAcceptsTies) {
+  for (const bool accepts_ties : {false, true}) {
+    Barrier barrier(accepts_ties);
+    barrier.add(trial(5, 0));
+    barrier.settle(Progress::dominating);
+    EXPECT_EQ(barrier.add({Vector::Constant(1, 9), 5, 0}), Progress::none);
+    barrier.settle(Progress::none);
+    EXPECT_EQ(barrier.feasible()->u[0], accepts_ties ? 9 : 5);
+  }
+}
+
+TEST(Barrier, TakesALowerFeasiblePointForASuccess) {
+  Barrier barrier(false);
+  EXPECT_EQ(barrier.add(trial(5, 0)), Progress::dominating);
+  barrier.settle(Progress::dominating);
+  EXPECT_EQ(barrier.add(trial(6, 0)), Progress::none);
+  EXPECT_EQ(barrier.add(trial(4, 0)), Progress::dominating);
+  EXPECT_EQ(barrier.feasible()->objective, 5) << "until the iteration ends";
+  barrier.settle(Progress::dominating);
+  EXPECT_EQ(barrier.feasible()->objective, 4);
+}
+
+/// An infeasible incumbent of objective 5 and violation 4.
+Barrier infeasible_barrier() {
+  Barrier barrier(false);
+  barrier.add(trial(5, 4));
+  barrier.settle(Progress::none);
+  return barrier;
+}
+
+TEST(Barrier, JudgesInfeasiblePointsByBothMeasures) {
+  EXPECT_EQ(infeasible_barrier().add(trial(4, 4)), Progress::dominating);
+  EXPECT_EQ(infeasible_barrier().add(trial(5, 3)), Progress::dominating);
+  EXPECT_EQ(infeasible_barrier().add(trial(6, 3)), Progress::improving);
+  EXPECT_EQ(infeasible_barrier().add(trial(4, 5)), Progress::none);
+  EXPECT_EQ(infeasible_barrier().add(trial(5, 4)), Progress::none);
+}
+
+TEST(Barrier, FallsToTheIncumbentsViolationUnlessThereIsALesserOne) {
+  Barrier barrier = infeasible_barrier();
+  EXPECT_EQ(barrier.limit(), infinity);
+  barrier.add(trial(4, 9));
+  barrier.settle(Progress::none);
+  EXPECT_EQ(barrier.limit(), 4);
+  EXPECT_EQ(barrier.infeasible()->objective, 5) << "the lower one is beyond the limit";
+
+  barrier.add(trial(6, 3));
+  barrier.add(trial(7, 2));
+  barrier.settle(Progress::improving);
+  EXPECT_EQ(barrier.limit(), 3) << "the most that is less than the incumbent's";
+  EXPECT_EQ(barrier.infeasible()->objective, 6);
+
+  EXPECT_EQ(barrier.add(trial(1, 3.5)), Progress::none) << "beyond the limit";
+  EXPECT_EQ(barrier.add(trial(5.5, 2.5)), Progress::dominating);
+  barrier.settle(Progress::dominating);
+  EXPECT_EQ(barrier.limit(), 3);
+  EXPECT_EQ(barrier.infeasible()->violation, 2.5);
+
+  EXPECT_EQ(barrier.add(trial(8, 0)), Progress::dominating);
+  barrier.settle(Progress::dominating);
+  EXPECT_EQ(barrier.feasible()->objective, 8) << "it keeps both incumbents";
+  EXPECT_EQ(barrier.infeasible()->objective, 5.5);
+}
+
+TEST(Barrier, DoesNotTakeWhatIsNoNumber) {
+  Barrier barrier(false);
+  for (const double bad : {quiet_nan, infinity, -infinity}) {
+    for (const Trial& no : {trial(bad, 0), trial(bad, 1), trial(1, std::abs(bad))}) {
+      EXPECT_EQ(barrier.add(no), Progress::none) << bad;
+    }
+  }
+  barrier.settle(Progress::none);
+  EXPECT_FALSE(barrier.feasible());
+  EXPECT_FALSE(barrier.infeasible());
+}
+
 class Mads : public testing::TestWithParam<Settings> {
  protected:
-  /// The best feasible objective after one call of solve.
-  static double end_of(const Problem& problem, std::uint64_t seed = 1);
+  Solver solver() const { return mads(GetParam()); }
+
+  /// The objective of the feasible point where one call of solve ends.
+  double settled(const Problem& problem, std::uint64_t seed = 1) const {
+    const Solved end = solved(problem, solver(), 50'000, seed);
+    EXPECT_EQ(end.reason, "the mesh is fine") << problem.name;
+    EXPECT_EQ(end.best->true_values.violation, 0) << problem.name;
+    return end.best->true_values.objective;
+  }
 };
 
-double Mads::end_of(const Problem& problem, std::uint64_t seed) {
-  Scorer scorer(problem);
-  Evaluator evaluator(problem, {50'000}, &scorer);
-  Random random(seed);
-  const SolverTermination exit = mads(GetParam()).solve(evaluator, problem.start, random);
-  EXPECT_EQ(exit.reason, "the mesh is fine") << problem.name;
-  EXPECT_EQ(scorer.best()->true_values.violation, 0) << problem.name;
-  return scorer.best()->true_values.objective;
-}
-
-Problem classic_problem(const std::string& name) {
-  for (Problem& problem : classic::classic_problems()) {
-    if (problem.name == name) return problem;
-  }
-  throw std::invalid_argument(name);
-}
-
-TEST_P(Mads, ConvergesOnASphere) {
-  for (const Eigen::Index n : {1, 2, 5}) EXPECT_LT(end_of(sphere(n, 3)), 1e-3) << n;
+TEST_P(Mads, ConvergesOnASphereAndOnItsBounds) {
+  for (const Eigen::Index n : {1, 2, 5}) EXPECT_LT(settled(sphere(n, 3)), 1e-3) << n;
+  EXPECT_EQ(settled(sphere(3, 130)), 3 * 30 * 30);
+  EXPECT_NEAR(settled(with_fixed_coordinate(sphere(3, 3), 5)), 4, 1e-3);
 }
 
 TEST_P(Mads, ConvergesInRosenbrocksValley) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    EXPECT_LT(end_of(classic_problem("classic-rosenbrock-2"), seed), 0.05);
+    EXPECT_LT(settled(suite_problem("classic-rosenbrock-2"), seed), 0.05);
   }
 }
 
 /// Inequalities alone, and one optimum; published.
 TEST_P(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
   for (const char* name : {"hs-12", "hs-22", "hs-29", "hs-35", "hs-43", "hs-65", "hs-76"}) {
-    const Problem problem = classic_problem(name);
+    const Problem problem = suite_problem(name);
     const double best = *problem.best_known;
-    EXPECT_NEAR(end_of(problem), best, 2e-2 * std::max(1.0, std::abs(best))) << name;
+    EXPECT_NEAR(settled(problem), best, 2e-2 * std::max(1.0, std::abs(best))) << name;
   }
 }
 
@@ -60,7 +213,7 @@ TEST_P(Mads, FindsPointsOnAnArc) {
   if (GetParam() == Settings::tuned) GTEST_SKIP() << "it stops when polls are at 1e-4 of the box";
   int found = 0, good = 0;
   for (int number = 0; number < 10; ++number) {
-    const TrueValues end = run(arc(), mads(GetParam()), {5000}, number).trace.back().true_values;
+    const TrueValues end = best_of(run(arc(), solver(), {5000}, number));
     found += end.violation == 0 ? 1 : 0;
     good += end.violation == 0 && end.objective <= -1 ? 1 : 0;
   }
@@ -81,61 +234,32 @@ Problem steps() {
 }
 
 TEST_P(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
-  const RunRecord record = run(steps(), mads(GetParam()), {2000}, 0);
-  EXPECT_EQ(record.trace.back().true_values.violation, 0);
-  EXPECT_NEAR(record.trace.back().true_values.objective, -8.5, 0.01);
-}
-
-TEST_P(Mads, StaysInTheBoxWhateverItAsksFor) {
-  for (Problem problem : {sphere(3, 130), disc(), steps()}) {
-    int asked = 0;
-    problem.evaluate = [&asked, problem](const Vector& x) {
-      EXPECT_TRUE((x.array() >= problem.lower.array()).all()) << x.transpose();
-      EXPECT_TRUE((x.array() <= problem.upper.array()).all()) << x.transpose();
-      ++asked;
-      return problem.evaluate(x);
-    };
-    run(problem, mads(GetParam()), {1000}, 0);
-    EXPECT_GE(asked, 1000);
-  }
-}
-
-TEST_P(Mads, ReachesABound) {
-  EXPECT_EQ(end_of(sphere(3, 130)), 3 * 30 * 30);
+  const TrueValues end = best_of(run(steps(), solver(), {2000}, 0));
+  EXPECT_EQ(end.violation, 0);
+  EXPECT_NEAR(end.objective, -8.5, 0.01);
 }
 
 TEST_P(Mads, AsksForNoPointTwiceFromOneStart) {
-  for (Problem problem : {sphere(1, 3), plateau(2)}) {
-    std::vector<Vector> asked;
-    problem.evaluate = [&asked, problem](const Vector& x) {
-      EXPECT_EQ(std::count(asked.begin(), asked.end(), x), 0) << x.transpose();
-      asked.push_back(x);
-      return problem.evaluate(x);
-    };
-    end_of(problem);
+  for (const Problem& problem : {sphere(1, 3), plateau(2)}) {
+    const std::vector<Vector> asked = asked_by_a_start(problem, solver(), 50'000, 1);
+    EXPECT_GT(asked.size(), 10U);
+    for (const Vector& x : asked) {
+      EXPECT_EQ(std::count(asked.begin(), asked.end(), x), 1) << x.transpose();
+    }
   }
 }
 
 TEST_P(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
-  const RunRecord record = run(plateau(2), mads(GetParam()), {1000}, 0);
+  const RunRecord record = run(plateau(2), solver(), {1000}, 0);
   EXPECT_GT(record.terminations.size(), 10U);
   EXPECT_EQ(record.terminations.front().reason, "the mesh is fine");
 }
 
-TEST_P(Mads, LeavesACoordinateAloneWhoseBoxHasNoWidth) {
-  Problem problem = sphere(3, 3);
-  problem.lower[1] = problem.upper[1] = problem.start[1] = 5;
-  EXPECT_NEAR(end_of(problem), 4, 1e-3);
-}
-
 TEST_P(Mads, SpendsItsBudgetToTheLastEvaluation) {
-  const Problem problem = disc();
   for (std::int64_t budget = 0; budget < 60; ++budget) {
-    Evaluator evaluator(problem, {budget});
-    Random random(1);
-    const SolverTermination exit = mads(GetParam()).solve(evaluator, problem.start, random);
-    EXPECT_EQ(exit.reason, "stopped by the evaluator");
-    EXPECT_EQ(evaluator.ledger().charged, budget);
+    const Solved end = solved(disc(), solver(), budget, 1);
+    EXPECT_EQ(end.reason, "stopped by the evaluator");
+    EXPECT_EQ(end.ledger.charged, budget);
   }
 }
 

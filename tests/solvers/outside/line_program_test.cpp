@@ -1,8 +1,5 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <memory>
@@ -14,14 +11,16 @@
 
 #include "solvers/outside/line_solver.h"
 #include "src/core/process.h"
-#include "tests/solvers/outside/scripts.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet::outside {
 namespace {
 
+using std::chrono::milliseconds;
+using std::chrono::seconds;
 using std::chrono::steady_clock;
+using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 using testing::Optional;
 
 /// A shell that carries out these lines.
@@ -29,61 +28,56 @@ std::vector<std::string> shell(const std::string& lines) {
   return {"sh", "-c", lines};
 }
 
+/// All lines until the program ends, or has no more.
+std::vector<std::string> all_lines(LineProgram& program, const Patience& patience = {}) {
+  std::vector<std::string> lines;
+  while (const auto line = program.line(patience)) lines.emplace_back(*line);
+  EXPECT_EQ(program.line(patience), std::nullopt) << "still none";
+  return lines;
+}
+
+std::vector<std::string> all_lines(const std::string& lines) {
+  LineProgram program(shell(lines));
+  return all_lines(program);
+}
+
 std::string reason_of(LineProgram& program, const Patience& patience = {}) {
-  try {
-    program.line(patience);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return complaint_of<std::runtime_error>([&] { return program.line(patience); });
 }
 
 TEST(LineProgram, ExchangesLines) {
-  LineProgram program({"cat"});
-  for (const std::string text : {"one", "", "three"}) {
+  LineProgram program({"cat"});  // writes while it reads: more than both pipes hold
+  for (const std::string& text : {std::string("one"), std::string(), std::string(3 << 20, 'x')}) {
     program.send(text + "\n");
     EXPECT_THAT(program.line(), Optional(std::string_view(text)));
   }
   EXPECT_EQ(program.lines(), 3);
 }
 
-TEST(LineProgram, PutsPartsOfALineTogether) {
-  LineProgram program(shell("printf 'one, '; sleep 0.1; printf 'two\\nthr'; sleep 0.1; echo ee"));
-  EXPECT_THAT(program.line(), Optional(std::string_view("one, two")));
-  EXPECT_THAT(program.line(), Optional(std::string_view("three")));
-  EXPECT_EQ(program.line(), std::nullopt);
-}
-
-TEST(LineProgram, TakesTheLastLineWithoutItsNewline) {
-  LineProgram program(shell("printf 'one\\ntwo'"));
-  EXPECT_THAT(program.line(), Optional(std::string_view("one")));
-  EXPECT_THAT(program.line(), Optional(std::string_view("two")));
-  EXPECT_EQ(program.line(), std::nullopt);
-  EXPECT_EQ(program.line(), std::nullopt);
+TEST(LineProgram, PutsPartsOfALineTogetherAndTakesTheLastWithoutItsNewline) {
+  EXPECT_THAT(all_lines("printf 'one, '; sleep 0.1; printf 'two\\nthr'; sleep 0.1; echo ee"),
+              ElementsAre("one, two", "three"));
+  EXPECT_THAT(all_lines("printf 'one\\ntwo'"), ElementsAre("one", "two"));
 }
 
 TEST(LineProgram, SaysHowItEnded) {
-  const auto end_of = [](const std::vector<std::string>& arguments) {
+  const std::pair<std::vector<std::string>, const char*> ends[] = {
+      {shell("exit 0"), "ended with exit code 0"},
+      {shell("exit 3"), "ended with exit code 3"},
+      {shell("kill -SEGV $$"), "was ended by signal 11, Segmentation fault"},
+      {{"there/is/no/such"}, "ended with exit code 127: there is no such program"},
+      {{"/etc/passwd"}, "ended with exit code 126: it cannot be run"},
+      {shell("exec >&-; exec sleep 30"), "closed its standard output"}};
+  for (const auto& [arguments, end] : ends) {
     LineProgram program(arguments);
     EXPECT_EQ(program.line(), std::nullopt);
-    return program.how_it_ended();
-  };
-  EXPECT_EQ(end_of(shell("exit 0")), "ended with exit code 0");
-  EXPECT_EQ(end_of(shell("exit 3")), "ended with exit code 3");
-  EXPECT_EQ(end_of(shell("kill -SEGV $$")), "was ended by signal 11, Segmentation fault");
-  EXPECT_EQ(end_of({"there/is/no/such"}), "ended with exit code 127: there is no such program");
-  EXPECT_EQ(end_of({"/etc/passwd"}), "ended with exit code 126: it cannot be run");
-  EXPECT_EQ(end_of(shell("exec >&-; exec sleep 30")), "closed its standard output");
+    EXPECT_EQ(program.how_it_ended(), end);
+  }
 }
 
 TEST(LineProgram, IsNoEndlessWaitWhereItsChildrenLiveOn) {
-  const auto start = steady_clock::now();
-  {
-    LineProgram program(shell("sleep 30 2>/dev/null & echo one"));
-    EXPECT_THAT(program.line(), Optional(std::string_view("one")));
-    EXPECT_EQ(program.line(), std::nullopt);
-  }
-  EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
+  LineProgram program(shell("sleep 1000 2>/dev/null & echo one"));
+  EXPECT_THAT(all_lines(program, {seconds(20), "it was started"}), ElementsAre("one"));
 }
 
 TEST(LineProgram, SurvivesThatNobodyReadsWhatItSends) {
@@ -97,48 +91,34 @@ TEST(LineProgram, SurvivesThatNobodyReadsWhatItSends) {
   EXPECT_EQ(sigismember(&pending, SIGPIPE), 0) << "nothing is left to be delivered later";
 }
 
-TEST(LineProgram, TakesALongLineWhileItAnswersWithAnother) {
-  LineProgram program({"cat"});  // writes while it reads: more than both pipes hold
-  const std::string text(3 << 20, 'x');
-  program.send(text + "\n");
-  EXPECT_THAT(program.line(), Optional(std::string_view(text)));
-}
-
-TEST(LineProgram, BoundsALine) {
-  LineProgram program(shell("head -c 100000000 /dev/zero"));
-  EXPECT_EQ(reason_of(program), "a line of more than 4 MiB");
-}
-
-TEST(LineProgram, BoundsWhatIsWrittenWithoutReading) {
-  LineProgram program({"yes"});
+TEST(LineProgram, BoundsALineAndWhatIsWrittenWithoutReading) {
+  LineProgram endless(shell("head -c 100000000 /dev/zero"));
+  EXPECT_EQ(reason_of(endless), "a line of more than 4 MiB");
+  LineProgram deaf({"yes"});
   const auto send_much = [&] {
-    for (int k = 0; k < 100; ++k) program.send(std::string(1 << 20, 'x') + "\n");
+    for (int k = 0; k < 100; ++k) deaf.send(std::string(1 << 20, 'x') + "\n");
   };
   EXPECT_THROW(send_much(), std::runtime_error);
 }
 
-TEST(LineProgram, WaitsNoLongerThanItIsTold) {
-  LineProgram program(shell("exec sleep 30"));
-  EXPECT_EQ(
-      reason_of(program, Patience{std::chrono::seconds(1), "it was started"}),
-      "wrote nothing for 1 s after it was started; no line received yet; are its lines flushed?");
-}
-
-TEST(LineProgram, IsReportedWhileItIsWaitedFor) {
+TEST(LineProgram, IsReportedWhileItIsWaitedForNoLongerThanItIsTold) {
   std::vector<std::string> told;
   on_waiting([&told](const std::string& text) { told.push_back(text); });
+  LineProgram silent(shell("exec sleep 30"));
+  EXPECT_EQ(
+      reason_of(silent, {seconds(1), "it was started"}),
+      "wrote nothing for 1 s after it was started; no line received yet; are its lines flushed?");
   LineProgram program(shell("echo one; sleep 0.6; echo two; sleep 30"));
-  const Patience impatient{std::chrono::seconds(2), "it was asked", std::chrono::milliseconds(300)};
+  const Patience impatient{seconds(2), "it was asked", milliseconds(300)};
   EXPECT_THAT(program.line(impatient), Optional(std::string_view("one")));
   EXPECT_THAT(program.line(impatient), Optional(std::string_view("two")));
-  const std::string command = "sh -c echo one; sleep 0.6; echo two; sleep 30";
-  EXPECT_THAT(told,
-              testing::ElementsAre("waiting for " + command + "; last line received: one", ""))
-      << "and told when the wait is over";
+  const std::string waiting =
+      "waiting for sh -c echo one; sleep 0.6; echo two; sleep 30; last line received: ";
+  EXPECT_THAT(told, ElementsAre(waiting + "one", "")) << "and told when the wait is over";
   EXPECT_EQ(reason_of(program, impatient),
             "wrote nothing for 2 s after it was asked; last line received: two; are its lines "
             "flushed?");
-  EXPECT_EQ(told.back(), "waiting for " + command + "; last line received: two");
+  EXPECT_EQ(told.back(), waiting + "two");
   on_waiting({});
 }
 
@@ -146,17 +126,16 @@ TEST(LineProgram, IsReportedInALineThatIsSafeOnATerminal) {
   std::vector<std::string> told;
   on_waiting([&told](const std::string& text) { told.push_back(text); });
   LineProgram program(shell("printf '\\033[31m\\n'; sleep 30 # \x1b[32m"));
-  const Patience impatient{std::chrono::seconds(1), "it was asked", std::chrono::milliseconds(300)};
+  const Patience impatient{seconds(1), "it was asked", milliseconds(300)};
   EXPECT_THAT(program.line(impatient), Optional(std::string_view("\x1b[31m")));
   EXPECT_THAT(reason_of(program, impatient), HasSubstr("last line received: \\x1b[31m;"));
-  EXPECT_THAT(told, testing::Contains(testing::AllOf(HasSubstr("# \\x1b[32m; last line received: "
-                                                               "\\x1b[31m"),
-                                                     Not(HasSubstr("\x1b")))));
+  EXPECT_THAT(told, testing::Contains(
+                        testing::AllOf(HasSubstr("# \\x1b[32m; last line received: \\x1b[31m"),
+                                       testing::Not(HasSubstr("\x1b")))));
   on_waiting({});
 }
 
 TEST(LineProgram, LeavesNothingBehindAWrapper) {
-  const auto folder = fresh_folder();
   for (const std::string how : {"", "setsid "}) {
     pid_t hidden = 0;
     {
@@ -168,15 +147,21 @@ TEST(LineProgram, LeavesNothingBehindAWrapper) {
   }
 }
 
-TEST(LineProgram, EndsWithItsObject) {
-  const auto folder = fresh_folder();
+TEST(LineProgram, EndsWithItsObjectByItselfIfItDoes) {
+  const auto how = fresh_folder() / "how";
   const auto pid_of = [&](const std::string& lines) {
     LineProgram program(shell("echo $$; " + lines));
     return std::stoi(std::string(*program.line()));
   };
-  EXPECT_EQ(kill(pid_of("cat; echo ended > " + (folder / "how").string()), 0), -1);
-  EXPECT_EQ(read(folder / "how"), "ended\n") << "by itself";
+  const std::string by_itself = "cat; echo ended > " + how.string();
+  EXPECT_EQ(kill(pid_of(by_itself), 0), -1);
+  EXPECT_EQ(text_of(how), "ended\n");
   EXPECT_EQ(kill(pid_of("while true; do sleep 0.1; done"), 0), -1) << "by force";
+  std::filesystem::remove(how);
+  auto first = std::make_unique<LineProgram>(shell(by_itself));
+  const LineProgram second({"cat"});
+  first.reset();
+  EXPECT_EQ(text_of(how), "ended\n") << "the second does not hold the first one's input open";
 }
 
 TEST(LineProgram, EndsWithTheThreadThatStartedIt) {
@@ -193,27 +178,14 @@ TEST(LineProgram, EndsWithTheThreadThatStartedIt) {
 
 TEST(LineProgram, IsLeftAloneByACopyOfItsProcess) {
   auto program = std::make_unique<LineProgram>(std::vector<std::string>{"cat"});
-  const pid_t copy = fork();
-  if (copy == 0) {
+  EXPECT_TRUE(holds_in_a_copy([&] {
     const bool is_ours = program->is_of_this_thread();
     const auto start = steady_clock::now();
     program.reset();
-    const bool waited = steady_clock::now() - start > std::chrono::milliseconds(900);
-    _exit(is_ours ? 1 : waited ? 2 : 0);
-  }
-  int status = 0;
-  waitpid(copy, &status, 0);
-  EXPECT_EQ(status, 0);
+    return !is_ours && steady_clock::now() - start < milliseconds(900);
+  }));
   program->send("still here\n");
   EXPECT_THAT(program->line(), Optional(std::string_view("still here")));
-}
-
-TEST(LineProgram, KeepsItsStreamsFromOthers) {
-  const auto how = fresh_folder() / "how";
-  auto first = std::make_unique<LineProgram>(shell("cat; echo ended > " + how.string()));
-  const LineProgram second({"cat"});
-  first.reset();
-  EXPECT_EQ(read(how), "ended\n") << "by itself: the second does not hold its input open";
 }
 
 TEST(LineProgram, HasSpokenWhenSomethingWasNotRead) {

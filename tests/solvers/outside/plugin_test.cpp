@@ -2,37 +2,136 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <bit>
 #include <cfenv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <future>
 #include <limits>
 
-#include "ricochet/error.h"
-#include "ricochet/run.h"
-#include "ricochet/solver.h"
+#include "solvers/outside/outside.h"
 #include "src/core/child_process.h"
-#include "tests/solvers/outside/scripts.h"
-#include "tests/support/problems.h"
+#include "tests/solvers/solve.h"
 
 namespace ricochet::outside {
 namespace {
 
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string library(const std::string& name) {
-  return RICOCHET_FOLDER "/" + name + ".so";
+// What a solver from outside may ask and say
+
+TEST(AskedPoints, AreOneOrAListAndSayWhatIsWanted) {
+  const auto asked_by = [](const char* line, Wanted usual = {}) {
+    return asked_points(Json::parse(line), "x", 2, usual);
+  };
+  const AskedPoints one = asked_by(R"({"x": [1, 2]})");
+  EXPECT_FALSE(one.list || one.wanted.derivatives || one.wanted.residuals);
+  EXPECT_THAT(one.points, ElementsAre(Vector{{1, 2}}));
+  const AskedPoints many = asked_by(R"({"x": [[1, 2], [3, 4.5]]})");
+  EXPECT_TRUE(many.list);
+  EXPECT_THAT(many.points, ElementsAre(Vector{{1, 2}}, Vector{{3, 4.5}}));
+  EXPECT_TRUE(asked_by(R"({"x": [[1, 2]]})").list) << "of one point";
+  EXPECT_TRUE(std::isnan(asked_by(R"({"x": [1, null]})").points[0][1]));
+  const AskedPoints all = asked_by(R"({"derivatives": true, "x": [1, 2], "residuals": true})");
+  EXPECT_TRUE(all.wanted.derivatives && all.wanted.residuals);
+  EXPECT_TRUE(asked_by(R"({"x": [1, 2]})", {.derivatives = true}).wanted.derivatives);
 }
 
-std::vector<Vector> points_of(const RunRecord& record) {
-  std::vector<Vector> points;
-  for (const Improvement& step : record.trace) points.push_back(step.x);
-  return points;
+TEST(AskedPoints, AreRefusedWithWhatIsWrong) {
+  const auto refusal_of = [](const char* line) {
+    return complaint_of([&] { return asked_points(Json::parse(line), "x", 2); });
+  };
+  for (const auto& [line, reason] : std::initializer_list<std::pair<const char*, const char*>>{
+           {R"({"x": [1]})", "x must have 2 numbers"},
+           {R"({"x": 1})", "x must have 2 numbers"},
+           {R"({"x": []})", "x must have 2 numbers"},
+           {R"({"x": [1, [2]]})", "x must have 2 numbers: entry 2 is of type array"},
+           {R"({"x": [[1, 2], [3]]})", "x must have 2 numbers in point 2"},
+           {R"({"x": [[1, 2], ["3", 4]]})",
+            "x must have 2 numbers in point 2: entry 1 is of type string"},
+           {R"({"x": [1, 2], "residual": true})",
+            "residual is not expected; did you mean residuals?"},
+           {R"({"x": [1, 2], "residuals": 1})", "residuals must be true or false"}}) {
+    EXPECT_EQ(refusal_of(line), reason) << line;
+  }
+}
+
+TEST(AskedPoints, AreAnsweredKeyByKey) {
+  const Json first = {{"objective", 1}, {"gradient", {2, 3}}};
+  const Json second = {{"objective", nullptr}, {"gradient", {4, 5}}};
+  EXPECT_EQ(joined({first}, false), first);
+  EXPECT_EQ(joined({first}, true), Json::parse(R"({"objective": [1], "gradient": [[2, 3]]})"));
+  EXPECT_EQ(joined({first, second}, true),
+            Json::parse(R"({"objective": [1, null], "gradient": [[2, 3], [4, 5]]})"));
+}
+
+TEST(Claims, AreItsCapabilities) {
+  using Constraints = Capabilities::Constraints;
+  using Order = Capabilities::Order;
+  const auto capabilities = [](const Claims& claims) {
+    return solver_as_claimed(claims, "here").capabilities;
+  };
+  EXPECT_EQ(capabilities({"mine", "1"}), Capabilities{});
+  EXPECT_EQ(capabilities({"mine", "1", 1}),
+            (Capabilities{.constraints = Constraints::inequalities}));
+  EXPECT_EQ(capabilities({"mine", "1", 2, true, true}),
+            (Capabilities{.constraints = Constraints::all,
+                          .derivatives = Order::gradient,
+                          .needs_residuals = true}));
+}
+
+TEST(Claims, HoldANameThatCanStandInAList) {
+  EXPECT_EQ(solver_as_claimed({"Mine_2.0+x-y", "1"}, "here").name, "Mine_2.0+x-y");
+  EXPECT_EQ(solver_as_claimed({"mine", "1\x1b[31m\n"}, "here").version, "1\\x1b[31m\\x0a");
+  expect_refusals(
+      [](const std::string& name) {
+        return solver_as_claimed({name, "1"}, "here");
+      },
+      {{"", "here: name \"\"; allowed"},
+       {"a,b", "here: name \"a,b\""},
+       {"a b", "here: name"},
+       {"*", "here: name"},
+       {std::string(61, 'a'), "here: name"}});
+  EXPECT_THAT(complaint_of([] {
+                return solver_as_claimed({"mine", "1", 3}, "here");
+              }),
+              HasSubstr("here: takes_constraints 3; allowed are 0, 1 and 2"));
+}
+
+const std::string built = RICOCHET_FOLDER;
+
+std::string library(const std::string& name) {
+  return built + "/" + name + ".so";
+}
+
+TEST(Outside, IsALibraryAProgramOrNothing) {
+  EXPECT_EQ(outside_solver("fireworks"), std::nullopt);
+  EXPECT_EQ(outside_solver("nothing.so"), std::nullopt);
+  const fs::path spaced = fresh_folder() / "of mine" / "mine.so";
+  fs::create_directory(spaced.parent_path());
+  fs::copy_file(library("mine"), spaced);
+  for (const std::string& mine : {library("mine"), spaced.string()}) {
+    EXPECT_EQ(outside_solver(mine)->name, "mine") << mine;
+  }
+  for (const std::string& command :
+       {built + "/talker", built + "/talker 7", "sh -c 'exec " + built + "/talker'",
+        "sh -c 'exec " + built + "/talker' /some.so"}) {
+    EXPECT_EQ(outside_solver(command)->name, "talker") << command;
+  }
+}
+
+TEST(Outside, IsToldWhatIsWrong) {
+  const fs::path file = write_file(fresh_folder() / "mine.py", "print()\n");
+  fs::current_path(file.parent_path());
+  expect_named_refusals(outside_solver,
+                        {{"./nothing", "there is no such file"},
+                         {"./nothing.so", "No such file"},
+                         {file.string(), "For example \"python3 " + file.string() + "\""},
+                         {"mine.py", "a file is given with its folder, ./mine.py"}});
 }
 
 TEST(Plugin, IsWhatItSaysItIs) {
@@ -40,45 +139,20 @@ TEST(Plugin, IsWhatItSaysItIs) {
   EXPECT_EQ(mine.name, "mine");
   EXPECT_EQ(mine.version, "1.0");
   EXPECT_TRUE(mine.stochastic);
-  EXPECT_TRUE(mine.accepts(sphere(2, 3)));
-  EXPECT_FALSE(mine.accepts(disc()));
-  const Solver newton = plugin(library("takes_constraints"));
-  EXPECT_TRUE(newton.accepts(disc()));
-  EXPECT_FALSE(newton.accepts(arc())) << "it has an equality";
-  EXPECT_FALSE(newton.accepts(limited(7))) << "it has no derivatives";
+  EXPECT_EQ(mine.capabilities, Capabilities{});
+  EXPECT_EQ(plugin(library("takes_constraints")).capabilities,
+            (Capabilities{.constraints = Capabilities::Constraints::inequalities,
+                          .derivatives = Capabilities::Order::gradient}));
   EXPECT_EQ(plugin(library("keeps_its_start")).name, "keeps_its_start");
 }
 
-TEST(Plugin, SolvesAndSpendsItsBudgetAndNoMore) {
-  const Solver mine = plugin(library("mine"));
-  const RunRecord record = run(sphere(2, 3), mine, {5000}, 0);
+TEST(Plugin, Solves) {
+  const RunRecord record = run(sphere(2, 3), plugin(library("mine")), {5000}, 0);
   EXPECT_EQ(record.failure, "");
-  EXPECT_EQ(record.ledger.charged, 5000);
   EXPECT_EQ(record.terminations.front().reason, "steps too short");
   EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
-  EXPECT_LT(record.trace.back().true_values.objective, 1e-6);
+  EXPECT_LT(best_of(record).objective, 1e-6);
   EXPECT_EQ(record.returned->x, record.trace.back().x);
-  for (const std::int64_t budget : {0, 1, 2, 50}) {
-    EXPECT_EQ(run(sphere(2, 3), mine, {budget}, 0).ledger.charged, budget);
-  }
-}
-
-TEST(Plugin, MakesTheSameRunAgainInEveryThread) {
-  const Solver mine = plugin(library("mine"));
-  const auto work = [&](int number) {
-    std::vector<std::vector<Vector>> all;
-    for (int k = 0; k < 5; ++k) {
-      for (const Problem& problem : {sphere(3, 3), staircase(), plateau(2), never_a_number(1)}) {
-        all.push_back(points_of(run(problem, mine, {200}, number + k)));
-      }
-    }
-    return all;
-  };
-  auto one = std::async(std::launch::async, work, 1);
-  auto two = std::async(std::launch::async, work, 2);
-  EXPECT_EQ(one.get(), work(1));
-  EXPECT_EQ(two.get(), work(2));
-  EXPECT_NE(work(1), work(2));
 }
 
 TEST(Plugin, SeesConstraintsAndTheirDerivatives) {
@@ -104,12 +178,11 @@ TEST(Plugin, GainsNothingByWritingIntoItsBox) {
   const RunRecord record = run(problem, plugin(library("widens_its_box")), {5}, 0);
   EXPECT_EQ(record.failure, "");
   EXPECT_EQ(record.ledger.charged, 5);
-  ASSERT_EQ(record.trace.size(), 1U);
-  EXPECT_EQ(record.trace.front().x, Vector::Constant(2, 100));
-  EXPECT_EQ(record.returned->x, Vector::Constant(2, 100));
-  EXPECT_EQ(problem.lower, Vector::Constant(2, -100));
-  EXPECT_EQ(problem.upper, Vector::Constant(2, 100));
-  EXPECT_EQ(problem.start, Vector::Constant(2, 40));
+  const Vector corner = Vector::Constant(2, 100);
+  EXPECT_THAT(points_of(record), ElementsAre(corner));
+  EXPECT_EQ(record.returned->x, corner);
+  EXPECT_THAT((std::vector{problem.lower, problem.upper, problem.start}),
+              ElementsAre(-corner, corner, 0.4 * corner));
 }
 
 TEST(Plugin, FailsWhereItThrows) {
@@ -118,31 +191,46 @@ TEST(Plugin, FailsWhereItThrows) {
   EXPECT_EQ(record.ledger.charged, 1);
 }
 
-TEST(Plugin, IsStoppedWhereTheProblemThrows) {
-  const RunRecord record = run(breaks_after(7, 2), plugin(library("mine")), {100}, 0);
-  EXPECT_EQ(record.failure, "broken scene");
-  EXPECT_EQ(record.ledger.values, 7);
+TEST(Plugin, IsAnsweredInItsOwnThreadOnly) {
+  const RunRecord record = run(sphere(2, 3), plugin(library("asks_from_threads")), {60}, 0);
+  EXPECT_EQ(record.failure,
+            library("asks_from_threads") + ": asked its problem from a second thread");
+  EXPECT_EQ(record.ledger.charged, 1);
 }
 
 TEST(Plugin, IsRefusedWhereItIsNone) {
-  const auto refused = [](const std::string& path, const std::string& reason) {
-    try {
-      plugin(path);
-      ADD_FAILURE() << path;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::StartsWith(path + ": "));
-      EXPECT_THAT(error.what(), HasSubstr(reason));
-    }
-  };
-  refused("./nothing.so", "No such file");
-  const auto text = fresh_folder() / "text.so";
-  std::ofstream(text) << "I am no library.\n";
-  refused(text.string(), "file too short");
-  std::ofstream(text) << std::string(10000, 'x');
-  refused(text.string(), "invalid ELF header");
-  refused(library("without_a_solver"), "exports no ricochet_plugin");
-  refused(library("of_another_interface"), "is made for interface 4, this is 3; compile it again");
-  refused(library("without_solve"), "solve is NULL");
+  const fs::path folder = fresh_folder();
+  expect_named_refusals(
+      plugin,
+      {{"./nothing.so", "No such file"},
+       {write_file(folder / "text.so", "I am no library.\n").string(), "file too short"},
+       {write_file(folder / "long.so", std::string(10000, 'x')).string(), "invalid ELF header"},
+       {library("without_a_solver"), "exports no ricochet_plugin"},
+       {library("of_another_interface"), "is made for interface 4, this is 3; compile it again"},
+       {library("without_solve"), "solve is NULL"}});
+}
+
+TEST(Plugin, IsRefusedWhereItsFileIsCutOff) {
+  const std::string whole = text_of(fs::path(library("keeps_its_start")));
+  for (const double share : {0.02, 0.1, 0.3}) {  // with debug information the rest is not loaded
+    const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+    const fs::path cut = write_file(fresh_folder() / "cut.so", whole.substr(0, size));
+    EXPECT_THAT(complaint_of([&] { return plugin(cut.string()); }), HasSubstr(cut.string()))
+        << share;
+  }
+}
+
+const std::string tried = ": cannot be loaded: the process that tried it ";
+
+TEST(Plugin, IsRefusedWhereLoadingItCrashes) {
+  expect_refusals(
+      plugin, {{library("aborts_on_load"), library("aborts_on_load") + tried + "crashed: Aborted"},
+               {library("bad_name"), tried}});
+}
+
+TEST(Plugin, IsRefusedWhereLoadingItNeverEnds) {
+  expect_refusals(plugin, {{library("hangs_on_load"),
+                            library("hangs_on_load") + tried + "took more than 10 s"}});
 }
 
 /// The bits of all objectives of a run.
@@ -157,14 +245,12 @@ std::string objectives_of(const RunRecord& record) {
 /// Its own evaluations, and what another solver does after it in the same process, have the same
 /// bits whatever it does to the floating-point environment, and whenever.
 TEST(Plugin, LeavesTheFloatingPointEnvironmentAsItWas) {
-  Problem sums = sphere(3, 0);
-  sums.evaluate = [](const Vector& x) {
+  const Problem sums = box_problem("sums", 3, -100, 100, 40, [](const Vector& x) {
     volatile double sum = 0;
     for (int k = 1; k < 100; ++k) sum = sum + std::exp(-x[0] * k) / k;
     volatile double tiny = std::numeric_limits<double>::min();
-    return Values{sum + x.norm() + (tiny / 3 > 0 ? 1 : 0), {}};
-  };
-  sums.differentiate = nullptr;
+    return sum + x.norm() + (tiny / 3 > 0 ? 1 : 0);
+  });
   const auto made = [&] {  // in another process, where it is loaded again
     return called_in_isolation(
         [&] {
@@ -185,44 +271,6 @@ TEST(Plugin, LeavesTheFloatingPointEnvironmentAsItWas) {
       EXPECT_TRUE(made() == undisturbed) << change << " when " << when;
     }
   }
-}
-
-TEST(Plugin, IsAnsweredInItsOwnThreadOnly) {
-  const RunRecord record = run(sphere(2, 3), plugin(library("asks_from_threads")), {60}, 0);
-  EXPECT_EQ(record.failure,
-            library("asks_from_threads") + ": asked its problem from a second thread");
-  EXPECT_EQ(record.ledger.charged, 1);
-}
-
-std::string refusal_of(const std::string& path) {
-  try {
-    plugin(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "taken";
-}
-
-TEST(Plugin, IsRefusedWhereLoadingItCrashes) {
-  const std::string tried = ": cannot be loaded: the process that tried it crashed: ";
-  EXPECT_EQ(refusal_of(library("aborts_on_load")), library("aborts_on_load") + tried + "Aborted");
-  EXPECT_THAT(refusal_of(library("bad_name")), HasSubstr("cannot be loaded: the process that"));
-}
-
-TEST(Plugin, IsRefusedWhereItsFileIsCutOff) {
-  const auto cut = fresh_folder() / "cut.so";
-  const std::string whole = read(library("keeps_its_start"));
-  for (const double share : {0.02, 0.1, 0.3}) {  // with debug information the rest is not loaded
-    const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
-    std::ofstream(cut, std::ios::binary) << whole.substr(0, size);
-    EXPECT_THAT(refusal_of(cut.string()), HasSubstr(cut.string())) << share;
-  }
-}
-
-TEST(Plugin, IsRefusedWhereLoadingItNeverEnds) {
-  EXPECT_EQ(refusal_of(library("hangs_on_load")),
-            library("hangs_on_load") +
-                ": cannot be loaded: the process that tried it took more than 10 s");
 }
 
 }  // namespace

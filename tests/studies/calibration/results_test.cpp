@@ -1,16 +1,23 @@
 #include "src/studies/calibration/results.h"
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
 
-#include "tests/studies/calibration/tiny_plan.h"
+#include "tests/studies/calibration/some_search.h"
+#include "tests/studies/pages.h"
+#include "tests/support/golden.h"
 
 namespace ricochet::studies::calibration {
 namespace {
 
 using namespace carrier_track;
+using testing::Field;
+using testing::HasSubstr;
 
 Results results_of(const Plan& plan) {
   Searches searches(fresh_file(), some_provenance());
@@ -22,12 +29,10 @@ TEST(Results, RankInterpretationsHoldConstantsAndPredict) {
   ASSERT_GE(results.interpretations.size(), 2U + 11 + 5);
   EXPECT_TRUE(std::ranges::is_sorted(results.interpretations, {},
                                      [](const RankedFit& r) { return r.fit.loss; }));
-  for (std::size_t i = 1; i < results.frontier.size(); ++i) {
+  for (std::size_t i = 1; i < results.frontier.size(); ++i)
     EXPECT_EQ(results.frontier[i].fit.free.size(), results.frontier[i - 1].fit.free.size() - 1);
-  }
-  for (const RankedFit& r : results.frontier) {
+  for (const RankedFit& r : results.frontier)
     EXPECT_GE(r.appraisal.criterion, results.frontier[results.chosen].appraisal.criterion);
-  }
   // The choice, the default interpretation, the best one, and those as free as the default one.
   ASSERT_GE(results.convergence.size(), 3U + 2);
   ASSERT_LE(results.convergence.size(), 3U + 3);
@@ -52,10 +57,9 @@ TEST(Results, RankInterpretationsHoldConstantsAndPredict) {
 
 TEST(Results, SearchEveryInterpretationOnceAsFreeAsTheDefaultOne) {
   Plan plan = tiny_plan();
-  Interpretation weight, seconds, crossing;
-  weight.normal_force = NormalForce::weight;
-  seconds.window = WindowUnit::seconds;
-  crossing.transition = Transition::crossing;
+  const Interpretation weight = {.normal_force = NormalForce::weight};
+  const Interpretation seconds = {.window = WindowUnit::seconds};
+  const Interpretation crossing = {.transition = Transition::crossing};
   plan.interpretations = {crossing, Interpretation{}, weight, seconds};
   plan.long_searches->interpretations = 100;
   const Results results = results_of(plan);
@@ -79,19 +83,18 @@ TEST(Results, SearchEveryInterpretationOnceAsFreeAsTheDefaultOne) {
   EXPECT_EQ(times(seconds), 1);
 }
 
-/// The evaluations of the searches that rank interpretations, from these seeds.
-std::set<std::int64_t> evaluations_from(const std::vector<int>& seeds) {
-  Plan plan = tiny_plan();
-  plan.interpretations = {Interpretation{}};
-  plan.long_searches->seeds = seeds;
-  const Results results = results_of(plan);
-  std::set<std::int64_t> evaluations;
-  for (std::size_t i = 3; i < results.convergence.size(); ++i)
-    evaluations.insert(results.convergence[i].evaluations);
-  return evaluations;
-}
-
 TEST(Results, OfBriefSearchesStandWhereTheyAgree) {
+  // The evaluations of the searches that rank interpretations.
+  const auto evaluations_from = [](const std::vector<int>& seeds) {
+    Plan plan = tiny_plan();
+    plan.interpretations = {Interpretation{}};
+    plan.long_searches->seeds = seeds;
+    const Results results = results_of(plan);
+    std::set<std::int64_t> evaluations;
+    for (std::size_t i = 3; i < results.convergence.size(); ++i)
+      evaluations.insert(results.convergence[i].evaluations);
+    return evaluations;
+  };
   EXPECT_EQ(evaluations_from({1, 1}), std::set<std::int64_t>{3});
   EXPECT_EQ(evaluations_from({1, 2}), std::set<std::int64_t>{4});
 }
@@ -105,6 +108,112 @@ TEST(Convergence, IsThatTheWorstSearchIsNearTheBest) {
   EXPECT_TRUE(of({20, 20.1}).agrees());
   EXPECT_FALSE(of({20, 20.3}).agrees());
   EXPECT_EQ(of({20.3, 20, 20.1}).as_good().size(), 2U);
+}
+
+RankedFit ranked(const Interpretation& interpretation, std::vector<Unknown> free, double loss) {
+  Fit fit{{interpretation, std::move(free), natural_constants()}, loss};
+  fit.constants[static_cast<std::size_t>(Unknown::pull)] = 1;
+  Appraisal appraisal = appraise(fit, 1.0);
+  return {std::move(fit), std::move(appraisal)};
+}
+
+/// Results that nobody computed: the page has to stand whatever they say.
+Results made_up_results() {
+  Results results;
+  results.plan.search = some_search(1);
+  for (Solver* solver : {&results.plan.search.global, &results.plan.search.least_squares,
+                         &results.plan.search.local})
+    solver->version = "1";
+  const Interpretation other = {.tension = Tension::rotating};
+  results.interpretations = {ranked({}, unknowns_of({}), 20),
+                             ranked(other, unknowns_of(other), 30)};
+  results.frontier = {ranked({}, {Unknown::pull, Unknown::counting_limit, Unknown::phase}, 20),
+                      ranked({}, {Unknown::pull, Unknown::counting_limit}, 21)};
+  results.chosen = 1;
+  results.usual = ranked({.base = Base::spindle}, unknowns_of({}), 29);
+  results.plan.long_searches = LongSearches{{some_search(1).global}, {1, 2}, 800, 400, 2};
+  for (const RankedFit& r : {results.frontier[1], results.interpretations[0]}) {
+    results.convergence.push_back({800, {r.fit, r.fit}});
+    results.converged.push_back({r});
+  }
+  for (const auto& [what, factor] :
+       {std::pair(LeftOut::nothing, 1.1), std::pair(LeftOut::machine, 1.2),
+        std::pair(LeftOut::restitution, 1.3), std::pair(LeftOut::friction, 1.4)}) {
+    for (const Case& c : all_cases()) {
+      if (!c.claim.threshold) continue;
+      const double paper = *c.claim.threshold;
+      results.predictions.push_back({what, c.id, paper, factor * paper});
+    }
+  }
+  results.predictions.back().predicted.reset();
+  results.profiles = {{Unknown::pull, 1, 0.5, 2, false, true},
+                      {Unknown::counting_limit, 0.01, 0.009, 0.02, false, false}};
+  results.frontier[1].appraisal.threshold_error = 0.0456;
+  results.convergence[1].fits[1].loss = 24;
+  results.converged[0].push_back(results.converged[0][0]);
+  results.converged[0][0].appraisal.threshold_error = 0.0123;
+  results.converged[0][1].appraisal.threshold_error = 0.234;
+  results.converged[0][0].appraisal.criterion = -30;
+  results.converged[1][0].appraisal.criterion = -20;
+  return results;
+}
+
+std::string page_of(const Results& results) {
+  return study_page("calibration", findings_of(results)).files.at("summary.md");
+}
+
+/// The tables, a row a line, and the charts, with six digits.
+std::string data_of(const report::Results& results) {
+  const report::Json data = json_of(results);
+  std::string text;
+  for (const auto& [name, table] : data["tables"].items()) {
+    text += name + "\n";
+    for (const report::Json& row : table["rows"]) text += row.dump() + "\n";
+  }
+  for (const auto& [name, chart] : data["charts"].items())
+    for (const auto& [key, part] : chart.items()) text += name + " " + key + part.dump() + "\n";
+  return text;
+}
+
+TEST(Findings, FillThePage) {
+  const Results results = made_up_results();
+  const std::string page = page_of(results);
+  // All errors of a kind but one are equal here, and so are those of every sample of them.
+  const auto percent = [](double factor) {
+    return fmt::format("{:.0f} %", 100 * std::log(factor));
+  };
+  for (const char* part : {"2 constants are fitted", "speed is 9.5 % (95 % interval 9.5 to 9.5 %)",
+                           "2 fitted constants: 1.2 % if searched at length, 4.6 % if fixed one",
+                           "The 2 searches end within 1 % of the best of them in 1 of 2 rows."}) {
+    EXPECT_THAT(page, HasSubstr(part));
+  }
+  EXPECT_THAT(page, HasSubstr("whole machine, a threshold is " + percent(1.2) +
+                              " off; with all cases of its restitution " + percent(1.3)));
+  const report::Results found = findings_of(results);
+  expect_golden(page + "\n" + data_of(found), "calibration.md");
+  // A threshold that the fit does not give counts as an error of ln 2.
+  EXPECT_NEAR((*found.table("left-out"))[3].number("worst"), std::log(2.0), 1e-12);
+}
+
+TEST(Findings, LeaveOutWhatOneInterpretationDoesNotHave) {
+  Results results = made_up_results();
+  results.interpretations.pop_back();
+  results.convergence.clear();
+  results.converged.clear();
+  results.usual = results.choice();
+  const std::string page = page_of(results);
+  for (const char* part : {"other searches", "the closest is", "Every other command"})
+    EXPECT_THAT(page, testing::Not(HasSubstr(part)));
+  EXPECT_THAT(page, HasSubstr("constants does the fit need"));
+}
+
+TEST(Findings, ChooseOfTheConvergedRowsTheOneWithTheLowestCriterion) {
+  Results results = made_up_results();
+  EXPECT_EQ(&results.choice(), &results.converged[0][0]);
+  results.converged[1][0].appraisal.criterion = -40;
+  EXPECT_EQ(&results.choice(), &results.converged[1][0]);
+  results.converged.clear();
+  EXPECT_EQ(&results.choice(), &results.frontier[1]);
 }
 
 }  // namespace

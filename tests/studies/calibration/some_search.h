@@ -8,6 +8,7 @@
 
 #include "ricochet/solver.h"
 #include "solvers/library_solvers.h"
+#include "src/studies/calibration/results.h"
 #include "src/studies/calibration/searches.h"
 #include "src/studies/paper/interpretation.h"
 
@@ -19,7 +20,7 @@ inline Search some_search(std::int64_t evaluations) {
           evaluations};
 }
 
-/// The default interpretation with its window and its counting limit free.
+/// The default interpretation with its start velocity and its counting limit free.
 inline carrier_track::Parameterisation some_parameterisation() {
   using namespace carrier_track;
   const FittedInterpretation& fitted = default_interpretation();
@@ -48,6 +49,20 @@ inline std::filesystem::path fresh_file() {
 /// What makes the runs of a test.
 inline Provenance some_provenance() {
   return {{{"version", "a test"}}, {}};
+}
+
+/// Two interpretations and nothing that converges.
+inline Plan tiny_plan() {
+  Plan plan;
+  plan.search = some_search(1);
+  plan.finalist_evaluations = plan.pin_evaluations = 1;
+  plan.left_out_evaluations = plan.profile_evaluations = 1;
+  plan.fewest_constants = 8;
+  plan.step = 0.2;
+  plan.interpretations = {carrier_track::find_interpretation("projected-constant-revolutions"),
+                          carrier_track::find_interpretation("inward-rotating-seconds")};
+  plan.long_searches = LongSearches{{some_search(1).global}, {1, 2}, 4, 3, 3};
+  return plan;
 }
 
 }  // namespace ricochet::studies::calibration

@@ -14,9 +14,8 @@ TEST(Cec2013, FunctionsAreNowhereBelowZero) {
   Random random(1);
   for (unsigned number = 1; number <= 28; ++number) {
     const Problem problem = cec2013(number, 10);
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 200; ++k)
       ASSERT_GT(problem.evaluate(uniform_point(problem, random)).objective, 0) << number;
-    }
   }
 }
 

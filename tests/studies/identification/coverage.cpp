@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -33,23 +34,18 @@ namespace {
 
 using namespace carrier_track;
 
-constexpr double seconds = 60;
 constexpr double outlying = 5;  // deviations, at which a trial is named
 
 struct Kind {
-  bool marks, strengths, constant, steps;
+  bool marks, constant, steps;
   SensorModel sensor = {};
   double mark_error = 0;  ///< [rad]
 };
 
-/// What is wrong with a measurement.
-struct Fault {
-  const char* name;
-  void (*apply)(Kind&);
-};
-
 constexpr double degree = std::numbers::pi / 180;
-constexpr Fault faults[] = {
+
+/// What is wrong with a measurement.
+const std::map<std::string, void (*)(Kind&)> faults = {
     {"lag-0.5ms", [](Kind& k) { k.sensor.lag = 0.5e-3; }},
     {"lag-2ms", [](Kind& k) { k.sensor.lag = 2e-3; }},
     {"lag-10ms", [](Kind& k) { k.sensor.lag = 10e-3; }},
@@ -63,53 +59,26 @@ constexpr Fault faults[] = {
     {"saturated", [](Kind& k) { k.sensor.saturation = 0.06; }},
 };
 
+/// A constant, or the safe speed, as it was found.
+struct Found {
+  double error;  ///< relative
+  double score;  ///< error over standard deviation, on the scale of the interval
+  bool covered;
+};
+
 struct Trial {
   bool failed = false;
-  bool refused = false;        ///< the record contradicts the model: there are no intervals
-  std::vector<double> errors;  ///< relative, of the constants and the safe speed
-  std::vector<double> scores;  ///< errors over standard deviations, on the scale of the interval
-  std::vector<bool> covered;
+  bool refused = false;  ///< the record contradicts the model: there are no intervals
+  std::vector<Found> found = {};
   /// The truth explains the record better than the fit: the search has missed a maximum.
   bool missed = false;
   double seconds = 0;
 };
 
 std::vector<SpeedKnot<double>> speeds(const Kind& kind) {
-  if (kind.constant) return {{0, 6}, {seconds, 6}};
-  if (!kind.steps) return {{0, 2}, {seconds, 15}};
-  std::vector<SpeedKnot<double>> knots;
-  constexpr int steps = 6;
-  for (int k = 0; k < steps; ++k) {
-    const double speed = 2 + 13.0 * k / (steps - 1);
-    const double begin = seconds * k / steps;
-    if (k > 0) knots.push_back({begin + 1, speed});  // the plate takes a second to speed up
-    if (k == 0) knots.push_back({0, speed});
-    knots.push_back({begin + seconds / steps, speed});
-  }
-  return knots;
-}
-
-/// A record as read_knock_record() has it.
-KnockRecord record_of(const Scene& truth, Kind kind, Random& random) {
-  kind.sensor.strengths = kind.strengths;
-  KnockRecord record = synthetic_knocks(truth, speeds(kind), kind.sensor, random);
-  record.lag_deviation = usual_lag_deviation;
-  if (kind.marks) {
-    record.plate = plate_measurement(record, mark_times(truth, record, 1e-3, random),
-                                     kind.mark_error, usual_mark_deviation);
-  }
-  take_out_sensor_faults(record);
-  return record;
-}
-
-/// A guess within 30 % of restitution and clearance, 20 % of friction.
-Scene guess_near(Scene scene, Random& random) {
-  const auto share = [&](double reach) { return 1 + reach * (2 * uniform(random) - 1); };
-  scene.restitution_lower = scene.restitution_upper = scene.restitution_lower * share(0.3);
-  scene.friction *= share(0.2);
-  scene.wall_upper = scene.wall_lower + (scene.wall_upper - scene.wall_lower) * share(0.3);
-  scene.start_position = scene.wall_lower;
-  return scene;
+  if (kind.constant) return {{0, 6}, {60, 6}};
+  if (kind.steps) return six_speeds();
+  return {{0, 2}, {60, 15}};
 }
 
 /// A point of a fit with the true constants of the machine, the true angle and speed.
@@ -124,7 +93,9 @@ Vector truth_near(Vector x, const Scene& truth) {
 Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t seed) {
   Random random(seed);
   truth.phase = 2 * std::numbers::pi * uniform(random);
-  const KnockRecord record = record_of(truth, kind, random);
+  const KnockRecord record =
+      measured_knocks(truth, speeds(kind), kind.sensor,
+                      kind.marks ? std::optional(kind.mark_error) : std::nullopt, random);
   const Scene guess = guess_near(truth, random);
   Trial result;
   const double start = processor_seconds();
@@ -145,18 +116,16 @@ Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t s
     }
     for (std::size_t i = 0; i < estimates.size(); ++i) {
       const Estimate& e = estimates[i];
-      result.errors.push_back(e.value / truths[i] - 1);
-      result.scores.push_back(std::log(e.value / truths[i]) / std::log(e.upper / e.lower) * 3.92);
-      result.covered.push_back(e.lower <= truths[i] && truths[i] <= e.upper);
+      const double score = std::log(e.value / truths[i]) / std::log(e.upper / e.lower) * 3.92;
+      result.found.push_back(
+          {e.value / truths[i] - 1, score, e.lower <= truths[i] && truths[i] <= e.upper});
+      if (std::abs(score) < outlying) continue;
+      fmt::print(stderr, "trial {}: number {} is {:.1f} deviations off{}\n", seed, i + 1, score,
+                 result.missed ? "; the truth explains more" : "");
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "trial {}: {}\n", seed, error.what());
     result.failed = true;
-  }
-  for (std::size_t i = 0; i < result.scores.size(); ++i) {
-    if (std::abs(result.scores[i]) < outlying) continue;
-    fmt::print(stderr, "trial {}: number {} is {:.1f} deviations off{}\n", seed, i + 1,
-               result.scores[i], result.missed ? "; the truth explains more" : "");
   }
   result.seconds = processor_seconds() - start;
   return result;
@@ -169,14 +138,15 @@ void print(const std::vector<Trial>& trials) {
   for (std::size_t i = 0; i < 4; ++i) {
     double n = 0, covered = 0, near = 0, nearer = 0, squares = 0, scores = 0, sum = 0;
     for (const Trial& t : trials) {
-      if (t.refused || t.errors.size() <= i) continue;
+      if (t.refused || t.found.size() <= i) continue;
+      const auto& [error, score, held] = t.found[i];
       ++n;
-      covered += t.covered[i] ? 1 : 0;
-      near += std::abs(t.errors[i]) <= 0.02 ? 1 : 0;
-      nearer += std::abs(t.errors[i]) <= 0.01 ? 1 : 0;
-      sum += t.errors[i];
-      squares += t.errors[i] * t.errors[i];
-      scores += t.scores[i] * t.scores[i];
+      covered += held;
+      near += std::abs(error) <= 0.02;
+      nearer += std::abs(error) <= 0.01;
+      sum += error;
+      squares += error * error;
+      scores += score * score;
     }
     if (n == 0) continue;
     const double share = covered / n;
@@ -203,24 +173,22 @@ void print(const std::vector<Trial>& trials) {
 void write_record(Scene truth, const std::string& folder) {
   Random random(7);
   truth.phase = 1;
-  SensorModel model;
-  model.strengths = true;
-  model.mark_jitter = 1e-3;
   const auto speed = speeds({});
-  const KnockRecord record = synthetic_knocks(truth, speed, model, random);
+  const KnockRecord record =
+      synthetic_knocks(truth, speed, {.strengths = true, .mark_jitter = 1e-3}, random);
   std::string knocks = "# Synthetic: simulated knocks, with errors of the sensor.\ntime,strength\n";
   for (const Knock& knock : record.knocks) {
     knocks += fmt::format("{:.4f},{:.4g}\n", knock.time, *knock.strength);
   }
   write_text_file(folder + "/knocks.csv", knocks);
-  std::string text = "time,omega\n";
-  for (const SpeedKnot<double>& knot : speed) text += fmt::format("{},{}\n", knot.time, knot.omega);
-  write_text_file(folder + "/speed.csv", text);
-  text = "# Synthetic: when a mark on the plate passed, at alpha = 0.\ntime\n";
+  std::string rows = "time,omega\n";
+  for (const SpeedKnot<double>& knot : speed) rows += fmt::format("{},{}\n", knot.time, knot.omega);
+  write_text_file(folder + "/speed.csv", rows);
+  rows = "# Synthetic: when a mark on the plate passed, at alpha = 0.\ntime\n";
   for (const double time : mark_times(truth, record, 1e-3, random)) {
-    text += fmt::format("{:.4f}\n", time);
+    rows += fmt::format("{:.4f}\n", time);
   }
-  write_text_file(folder + "/marks.csv", text);
+  write_text_file(folder + "/marks.csv", rows);
 }
 
 int run(const std::vector<std::string>& arguments) {
@@ -235,9 +203,10 @@ int run(const std::vector<std::string>& arguments) {
   };
   const std::string name = argument(3, "marks");
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
-  Kind kind{has("marks"), has("strengths"), has("constant"), has("steps")};
-  for (const Fault& fault : faults) {
-    if (has(fault.name)) fault.apply(kind);
+  Kind kind{has("marks"), has("constant"), has("steps")};
+  kind.sensor.strengths = has("strengths");
+  for (const auto& [fault, apply] : faults) {
+    if (has(fault.c_str())) apply(kind);
   }
   const Solver solver = solver_named(argument(4, usual_solver));
   const auto first = static_cast<std::uint64_t>(std::stoll(argument(5, "1")));

@@ -1,13 +1,17 @@
 #include "src/studies/paper/interpretation.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <tuple>
 
-#include "ricochet/error.h"
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/suite/machine.h"
+#include "tests/support/refusals.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline paper {
 namespace {
 
 using testing::HasSubstr;
@@ -24,65 +28,179 @@ std::vector<Interpretation> every_interpretation() {
 TEST(Interpretation, CoversEveryForcingTensionAndWindow) {
   // 3 x 3 x 2, and one other answer to one of seven further questions: 3 + 2 + 1 + 2 + 2 + 1 + 2.
   EXPECT_EQ(core_interpretations().size(), 18U);
-  EXPECT_EQ(variations(Interpretation{}).size(), 13U);
-  Interpretation in_seconds;
-  in_seconds.window = WindowUnit::seconds;
-  EXPECT_EQ(variations(in_seconds).size(), 12U);  // turns a to b are turns
+  EXPECT_EQ(variations({}).size(), 13U);
+  EXPECT_EQ(variations({.window = WindowUnit::seconds}).size(), 12U);  // turns a to b are turns
 }
 
-TEST(Interpretation, HasANameAndADescriptionOfItsOwn) {
-  std::set<std::string> names, descriptions;
+TEST(Interpretation, IsFoundByItsNameAndHasADescriptionOfItsOwn) {
+  std::set<std::string> descriptions;
   for (const Interpretation& r : every_interpretation()) {
-    EXPECT_TRUE(names.insert(name_of(r)).second) << name_of(r);
+    EXPECT_EQ(find_interpretation(name_of(r)), r);
     EXPECT_TRUE(descriptions.insert(description_of(r)).second) << description_of(r);
   }
-  EXPECT_EQ(name_of(Interpretation{}), "projected-constant-revolutions");
-}
-
-TEST(Interpretation, IsFoundByItsName) {
-  for (const Interpretation& r : every_interpretation())
-    EXPECT_EQ(find_interpretation(name_of(r)), r);
+  EXPECT_EQ(name_of({}), "projected-constant-revolutions");
 }
 
 TEST(Interpretation, IsRefusedUnderAnotherNameWithWhatThereIs) {
-  try {
-    find_interpretation("projected-constant-hours");
-    ADD_FAILURE();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("projected-constant-hours"));
-    EXPECT_THAT(error.what(), HasSubstr("inward-rotating-seconds"));
-    EXPECT_THAT(error.what(), HasSubstr("-peaks-0.1mm"));
-  }
+  expect_refusals(find_interpretation,
+                  {{"projected-constant-hours", "projected-constant-hours"},
+                   {"projected-constant-hours", "inward-rotating-seconds"},
+                   {"projected-constant-hours", "-peaks-0.1mm"},
+                   {"projected-constant-seconds-later-window", "must be a number of revolutions"}});
 }
 
-TEST(Interpretation, IsRefusedIfItsAnswersExcludeEachOther) {
-  try {
-    find_interpretation("projected-constant-seconds-later-window");
-    ADD_FAILURE();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("must be a number of revolutions"));
-  }
-}
-
-TEST(Interpretation, AnswersTenQuestions) {
+TEST(Interpretation, AnswersTenQuestionsAndVariesOneAnswerAtATime) {
+  const auto base = answers_of({});
   for (const Interpretation& r : every_interpretation()) EXPECT_EQ(answers_of(r).size(), 10U);
-  Interpretation r;
-  r.normal_force = NormalForce::weight;
-  EXPECT_EQ(answers_of(r)[4].question, "friction multiplies");
-  EXPECT_EQ(answers_of(r)[4].answer, "weight");
-}
-
-TEST(Interpretation, VariesOneAnswerAtATime) {
-  const auto base = answers_of(Interpretation{});
-  for (const Interpretation& varied : variations(Interpretation{})) {
+  for (const Interpretation& varied : variations({})) {
     const auto answers = answers_of(varied);
     int different = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t i = 0; i < answers.size(); ++i)
       different += answers[i].answer != base[i].answer ? 1 : 0;
-    }
     EXPECT_EQ(different, 1) << name_of(varied);
+  }
+  EXPECT_THAT(answers_of({.normal_force = NormalForce::weight})[4],
+              testing::FieldsAre("friction multiplies", "weight"));
+}
+
+Scene natural_scene(const Interpretation& interpretation, const char* id = "C11") {
+  return scene_of(find_case(id), interpretation, natural_constants());
+}
+
+TEST(UnknownParameters, HaveNamesAndNaturalValuesWithinTheirBounds) {
+  ASSERT_EQ(unknown_parameters().size(), unknown_size);
+  const auto name = [](Unknown unknown) {
+    return unknown_parameters()[static_cast<std::size_t>(unknown)].name;
+  };
+  EXPECT_EQ(name(Unknown::clearance), "clearance");
+  EXPECT_EQ(name(Unknown::counting_limit), "counting_limit");
+  EXPECT_EQ(name(Unknown::contact_speed), "contact_speed");
+  const Constants natural = natural_constants();
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    const UnknownParameter& c = unknown_parameters()[i];
+    EXPECT_LT(c.lower, c.upper) << c.name;
+    EXPECT_GE(natural[i], c.lower) << c.name;
+    EXPECT_LE(natural[i], c.upper) << c.name;
+    EXPECT_TRUE(!c.logarithmic || c.lower > 0) << c.name;
+  }
+}
+
+TEST(UnknownParameters, HaveAPlaceWithinTheirBounds) {
+  const UnknownParameter size = {"size", "m", 1e-3, 10, true, {}, ""};
+  EXPECT_DOUBLE_EQ(value_at(size, 0.25), 1e-2);
+  EXPECT_DOUBLE_EQ(share_of(size, 1), 0.75);
+  EXPECT_EQ(share_of(size, 100), 1);
+  const UnknownParameter place = {"place", "m", -1, 3, false, {}, ""};
+  EXPECT_DOUBLE_EQ(value_at(place, 0.25), 0);
+  EXPECT_DOUBLE_EQ(share_of(place, 2), 0.75);
+  EXPECT_EQ(share_of(place, -2), 0);
+}
+
+TEST(UnknownParameters, AreThoseThatTheInterpretationUses) {
+  const auto has = [](const Interpretation& r, Unknown unknown) {
+    const std::vector<Unknown> used = unknowns_of(r);
+    return std::ranges::count(used, unknown) == 1;
+  };
+  EXPECT_EQ(unknowns_of({}).size(), 9U);
+  EXPECT_TRUE(has({}, Unknown::revolutions));
+  EXPECT_FALSE(has({}, Unknown::seconds));
+  EXPECT_TRUE(has({.window = WindowUnit::seconds}, Unknown::seconds));
+  EXPECT_FALSE(has({.normal_force = NormalForce::weight}, Unknown::normal_force));
+  EXPECT_FALSE(has({.rule = Rule::peaks_1mm}, Unknown::counting_limit));
+  EXPECT_TRUE(has({.counted = Counted::later}, Unknown::first_turn));
+  // Not where and how fast it starts, and when.
+  EXPECT_EQ(unknowns_of({.counted = Counted::long_run}).size(), 6U);
+  EXPECT_FALSE(has({.counted = Counted::long_run}, Unknown::start_velocity));
+}
+
+TEST(UnknownParameters, MakeValidScenesOfEveryInterpretationAndCase) {
+  for (const Interpretation& r : every_interpretation()) {
+    for (const Case& c : all_cases()) {
+      const Scene scene = scene_of(c, r, natural_constants());
+      EXPECT_NO_THROW(check(scene_at(scene, r, natural_constants(), 3.0), name_of(r)));
+    }
+  }
+}
+
+TEST(UnknownParameters, PutEveryAnswerIntoTheScene) {
+  const Scene plain = natural_scene({});
+  EXPECT_EQ(std::tuple(plain.mass, plain.restitution_lower, plain.friction, plain.disturbance),
+            std::tuple(1.2, 0.9, 0.4, 1.0));
+  EXPECT_DOUBLE_EQ(plain.start_position, 1e-3);
+  const Scene spindle =
+      natural_scene({.disturbance = DisturbanceKind::acceleration, .base = Base::spindle});
+  EXPECT_EQ(std::tuple(spindle.mass, spindle.disturbance), std::tuple(1.8, 1.8));
+  EXPECT_DOUBLE_EQ(natural_scene({.normal_force = NormalForce::weight}).normal_force, 1.2 * 9.81);
+  EXPECT_TRUE(natural_scene({.normal_force = NormalForce::contact}).contact_friction);
+  EXPECT_DOUBLE_EQ(natural_scene({.recovery = Recovery::hunt_crossley}, "C1").restitution_lower,
+                   returned_restitution(dissipation(ContactLaw::hunt_crossley, 0.1)));
+  const Scene soft = natural_scene({.recovery = Recovery::contact_speed});
+  EXPECT_EQ(soft.fidelity, Fidelity::compliant);
+  EXPECT_EQ(soft.contact_speed, 0.1);
+  const Scene peaks = natural_scene({.rule = Rule::peaks_100um});
+  EXPECT_EQ(std::tuple(peaks.rule, peaks.peak_low, peaks.peak_high),
+            std::tuple(CountRule::peaks, 1e-4, 3e-3));
+}
+
+TEST(UnknownParameters, TurnASpeedIntoAProfileWhereThereAreCrossings) {
+  const Interpretation crossing = {.transition = Transition::crossing};
+  const Constants constants = natural_constants();
+  const Scene scene = scene_at(natural_scene(crossing), crossing, constants, 5.0);
+  ASSERT_FALSE(scene.profile.empty());
+  EXPECT_NEAR(std::ranges::max(scene.profile, {}, &SpeedKnot<double>::omega).omega,
+              5.0 / std::pow(std::cos(0.4), 2), 1e-12);
+  EXPECT_TRUE(scene_at(scene, {}, constants, 4.0).profile.empty());
+}
+
+TEST(FittedInterpretation, OfTheDefaultIsTheDefaultMachine) {
+  const FittedInterpretation& fitted = default_interpretation();
+  EXPECT_EQ(write_scene(fitted.scene), write_scene(default_machine()));
+  EXPECT_NO_THROW(check(fitted.scene, fitted.name));
+  EXPECT_TRUE(is_one_scene(fitted.interpretation));
+  EXPECT_FALSE(fitted.provenance.empty());
+  EXPECT_LE(fitted.free.size(), unknowns_of(fitted.interpretation).size());
+  for (const Case& c : all_cases())
+    EXPECT_EQ(write_scene(at_speed(scene_of(c, fitted.scene), 2.0)),
+              write_scene(at_speed(scene_of(c, fitted.interpretation, fitted.constants), 2.0)));
+}
+
+TEST(FittedInterpretation, IsWrittenAndReadBackBitForBit) {
+  const Interpretation interpretation = {.tension = Tension::phased};
+  Constants constants = natural_constants();
+  constants[0] = 1.0 / 3.0;
+  const auto fitted =
+      fitted_interpretation({interpretation, {Unknown::pull}, constants}, "a test", "here");
+  const std::string text = write_fitted_interpretation(fitted);
+  const FittedInterpretation read = parse_fitted_interpretation(text, "there");
+  EXPECT_EQ(read.interpretation, interpretation);
+  EXPECT_EQ(read.constants[0], 1.0 / 3.0);
+  EXPECT_THAT(read.free, testing::ElementsAre(Unknown::pull));
+  EXPECT_EQ(write_fitted_interpretation(read), text);
+}
+
+TEST(FittedInterpretation, IsRefusedWithTheReason) {
+  const std::string text = write_fitted_interpretation(default_interpretation());
+  const auto with = [&](const std::string& key, const std::string& replacement) {
+    std::string changed = text;
+    return changed.replace(changed.find(key), key.size(), replacement);
+  };
+  expect_refusals(
+      [](const std::string& wrong) { return parse_fitted_interpretation(wrong, "some.toml"); },
+      {{"interpretation = 3", "interpretation = 3: must be a text"},
+       {"", "some.toml: interpretation is missing"},
+       {"interpretation = ", "not valid TOML"},
+       {text + "\nhope = 1\n", "hope"},
+       {with("clearance =", "slack ="), "clearance must be in one of"},
+       {with("start_share =", "start_share = 7 #"), "fixed.start_share = 7: must be within 0..1"}});
+  // Where cases differ in more.
+  for (const char* name :
+       {"projected-constant-revolutions-acceleration", "projected-constant-revolutions-crossing",
+        "projected-constant-revolutions-hunt-crossley"}) {
+    EXPECT_THROW(
+        fitted_interpretation({find_interpretation(name), {}, natural_constants()}, "", "here"),
+        InputError);
   }
 }
 
 }  // namespace
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline paper

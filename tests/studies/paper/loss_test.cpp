@@ -1,6 +1,6 @@
 #include "src/studies/paper/loss.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,46 +10,40 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "src/studies/paper/interpretation.h"
+#include "tests/support/scenes.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline paper {
 namespace {
+
+double constant_of(const Parameterisation& fit, Unknown unknown) {
+  return fit.constants[static_cast<std::size_t>(unknown)];
+}
 
 /// A score that is the claim, word for word.
 CoarseScore perfect(const Claim& claim) {
   return {*claim.quiet_count, 1.0, *claim.threshold, 0.0, 2.0, 0, 0.0};
 }
 
-TEST(Loss, IsZeroForTheClaimItself) {
+TEST(Loss, CountsADistanceFromTheClaimInTolerances) {
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
     EXPECT_EQ(loss_of(perfect(c.claim), c.claim), 0) << c.id;
   }
-}
-
-TEST(Loss, CountsADistanceOfATolerance) {
   const Claim claim = find_case("C1").claim;
-  CoarseScore s = perfect(claim);
-  s.threshold *= std::exp(0.05);
-  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
-  s = perfect(claim);
-  s.purity = 0.75;
-  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
-  s = perfect(claim);
-  s.misclassified = 0.07;
-  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
-  s = perfect(claim);
-  s.loudness = 1.5 * std::exp(-0.2);
-  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
-  s = perfect(claim);
-  s.wrong_examples = 1;
-  s.shape = 0.5;
-  EXPECT_NEAR(loss_of(s, claim), 3.5, 1e-12);
-  s = perfect(claim);
-  s.quiet_count = 6;
-  EXPECT_NEAR(loss_of(s, claim), std::log(6.3 / 5.3) / 0.15, 1e-12);
-  s = perfect(claim);
-  s.threshold *= std::exp(0.05 * 10);  // far off: 3, and the logarithm of what is more
-  EXPECT_NEAR(loss_of(s, claim), 3 + std::log(8.0), 1e-12);
+  const auto loss_where = [&](auto change) {
+    CoarseScore score = perfect(claim);
+    change(score);
+    return loss_of(score, claim);
+  };
+  EXPECT_NEAR(loss_where([](auto& s) { s.threshold *= std::exp(0.05); }), 1, 1e-12);
+  EXPECT_NEAR(loss_where([](auto& s) { s.purity = 0.75; }), 1, 1e-12);
+  EXPECT_NEAR(loss_where([](auto& s) { s.misclassified = 0.07; }), 1, 1e-12);
+  EXPECT_NEAR(loss_where([](auto& s) { s.loudness = 1.5 * std::exp(-0.2); }), 1, 1e-12);
+  EXPECT_NEAR(loss_where([](auto& s) { s.wrong_examples = 1, s.shape = 0.5; }), 3.5, 1e-12);
+  EXPECT_NEAR(loss_where([](auto& s) { s.quiet_count = 6; }), std::log(6.3 / 5.3) / 0.15, 1e-12);
+  // Far off: 3, and the logarithm of what is more.
+  EXPECT_NEAR(loss_where([](auto& s) { s.threshold *= std::exp(0.05 * 10); }), 3 + std::log(8.0),
+              1e-12);
 }
 
 TEST(Loss, LooksAtTheWholeRangeEvenly) {
@@ -67,8 +61,7 @@ TEST(Loss, SeesWhatAJudgementSees) {
   const FittedInterpretation& fitted = default_interpretation();
   for (const char* id : {"C1", "C2", "C4", "C9"}) {
     const Case c = find_case(id);
-    const Scene scene = scene_of(c, fitted.interpretation, fitted.constants);
-    const Score judged = score(scene, c.claim, ScanOptions{0.01, 1, 18.0});
+    const Score judged = score(scene_of(c, fitted.scene), c.claim, ScanOptions{0.01, 1, 18.0});
     const CoarseScore seen = coarse_score(fitted, c);
     EXPECT_NEAR(seen.quiet_count, judged.quiet_count, 1) << id;
     EXPECT_NEAR(seen.threshold / judged.threshold.value_or(18), 1, 0.06) << id;
@@ -77,28 +70,18 @@ TEST(Loss, SeesWhatAJudgementSees) {
   }
 }
 
-TEST(Loss, OfALeftOutCaseIsTheRest) {
+TEST(Loss, OfLeftOutCasesIsTheRest) {
   const FittedInterpretation& fitted = default_interpretation();
+  const auto of_case = [&](const char* id) {
+    return loss_of(coarse_score(fitted, find_case(id)), find_case(id).claim);
+  };
   const double all = loss(fitted);
-  for (const char* id : {"C3", "C4"}) {
-    const Case c = find_case(id);
-    const double its = loss_of(coarse_score(fitted, c), c.claim);
-    EXPECT_NEAR(loss(fitted, {id}), all - its, 1e-9) << id;
-  }
-}
-
-TEST(Loss, OfALeftOutMachineHasNothingOfIt) {
-  const FittedInterpretation& fitted = default_interpretation();
-  double expected = loss(fitted);
-  int quiet = 0;
-  for (const char* id : {"C4", "C8"}) {
-    const Case c = find_case(id);
-    const CoarseScore s = coarse_score(fitted, c);
-    expected -= loss_of(s, c.claim);
-    if (c.id == "C4") quiet = s.quiet_count;
-  }
-  expected -= 4 * quiet_share_of_c11(fitted, quiet);
-  EXPECT_NEAR(loss(fitted, {"C4", "C8", "C11"}), expected, 1e-9);
+  for (const char* id : {"C3", "C4"})
+    EXPECT_NEAR(loss(fitted, {id}), all - of_case(id), 1e-9) << id;
+  // Without a whole machine nothing is left of C11, which is compared with C4.
+  const int quiet = coarse_score(fitted, find_case("C4")).quiet_count;
+  EXPECT_NEAR(loss(fitted, {"C4", "C8", "C11"}),
+              all - of_case("C4") - of_case("C8") - 4 * quiet_share_of_c11(fitted, quiet), 1e-9);
   const auto squares = [&](const CaseIds& left_out) {
     return smooth_loss({fitted.interpretation, {}, fitted.constants}, default_smoothing, left_out)
         .residuals.squaredNorm();
@@ -116,100 +99,110 @@ Parameterisation counted(Counted when) {
   return fit;
 }
 
-void expect_slopes_of_differences(Parameterisation fit) {
-  const std::vector<Unknown> free = {Unknown::pull, Unknown::clearance, Unknown::phase,
-                                     Unknown::counting_limit, Unknown::revolutions};
-  fit.free = free;
-  const SmoothLoss at = smooth_loss(fit, default_smoothing);
-  ASSERT_EQ(at.slopes.cols(), 5);
-  int compared = 0;
-  int close = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto i = static_cast<std::size_t>(free[k]);
-    const double h = 1e-7 * (free[k] == Unknown::phase ? 1.0 : fit.constants[i]);
-    const auto residuals_at = [&](double moved) -> Vector {
-      Parameterisation near{fit.interpretation, {}, fit.constants};
-      near.constants[i] += moved;
-      return smooth_loss(near, default_smoothing).residuals;
-    };
-    const Vector slope = (residuals_at(h) - residuals_at(-h)) / (2 * h);
-    for (Eigen::Index r = 0; r < slope.size(); ++r) {
-      const double exact = at.slopes(r, static_cast<Eigen::Index>(k));
-      ++compared;
-      close += std::abs(exact - slope[r]) <= 1e-3 * std::abs(exact) + 1e-11 / h ? 1 : 0;
-    }
-  }
-  // A difference fails where it meets a jump or a near graze.
-  EXPECT_GT(compared, 1000);
-  EXPECT_GT(close, 0.95 * compared);
-  EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
-}
-
 TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
-  expect_slopes_of_differences(default_interpretation());
-}
-
-TEST(Loss, HasTheSameOfALaterWindow) {
-  expect_slopes_of_differences(counted(Counted::later));
-}
-
-TEST(Loss, HasTheSameInTheLongRun) {
-  expect_slopes_of_differences(counted(Counted::long_run));
-}
-
-TEST(Loss, CountsInALaterWindowTheImpactsAfterItsFirstTurn) {
-  const Parameterisation fit = counted(Counted::later);
-  const std::vector<double> speeds = {0.5, 2.1, 2.9, 8.1, 12.4};
-  for (const char* id : {"C1", "C2", "C9", "C11"}) {
-    const Case c = find_case(id);
-    const std::vector<int> exact = exact_counts(fit, c, speeds);
-    const std::vector<int> counts = counts_of(fit, c, speeds);
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-      Scene scene = scene_of(c, default_interpretation().scene);
-      scene.omega = speeds[k];
-      const double turn = 2 * std::numbers::pi / speeds[k];
-      const double turns = std::get<Revolutions>(scene.window).count;
-      scene.window = Revolutions{turns + 1.2};
-      const auto impacts = simulate(scene).impacts;
-      const auto later = std::ranges::count_if(impacts, [&](const Impact& impact) {
-        return impact.speed > scene.counting_limit && impact.time > 1.2 * turn;
-      });
-      EXPECT_EQ(exact[k], later) << id << " at " << speeds[k];
-      EXPECT_EQ(counts[k], later) << id << " at " << speeds[k];
+  for (const Counted when : {Counted::from_start, Counted::later, Counted::long_run}) {
+    Parameterisation fit = counted(when);
+    const std::vector<Unknown> free = {Unknown::pull, Unknown::clearance, Unknown::phase,
+                                       Unknown::counting_limit, Unknown::revolutions};
+    fit.free = free;
+    const SmoothLoss at = smooth_loss(fit, default_smoothing);
+    ASSERT_EQ(at.slopes.cols(), 5);
+    int compared = 0;
+    int close = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(free[k]);
+      const double h = 1e-7 * (free[k] == Unknown::phase ? 1.0 : fit.constants[i]);
+      const auto residuals_at = [&](double moved) -> Vector {
+        Parameterisation near{fit.interpretation, {}, fit.constants};
+        near.constants[i] += moved;
+        return smooth_loss(near, default_smoothing).residuals;
+      };
+      const Vector slope = (residuals_at(h) - residuals_at(-h)) / (2 * h);
+      for (Eigen::Index r = 0; r < slope.size(); ++r) {
+        const double exact = at.slopes(r, static_cast<Eigen::Index>(k));
+        ++compared;
+        close += std::abs(exact - slope[r]) <= 1e-3 * std::abs(exact) + 1e-11 / h ? 1 : 0;
+      }
     }
+    // A difference fails where it meets a jump or a near graze.
+    EXPECT_GT(compared, 1000);
+    EXPECT_GT(close, 0.95 * compared);
+    EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
   }
 }
 
-TEST(Loss, CountsInTheLongRunWhatATurnHas) {
-  const Parameterisation fit = counted(Counted::long_run);
-  const double turns = fit.constants[static_cast<std::size_t>(Unknown::revolutions)];
-  const std::vector<double> speeds = {1.0, 2.5, 5.0, 8.0, 8.2, 15.0};
-  for (const char* id : {"C1", "C3"}) {  // their motion repeats
+/// Expects that both ways of counting give what `count(scene at the speed)` says.
+template <class Count>
+void expect_counts(const Parameterisation& fit, const std::vector<const char*>& ids,
+                   const std::vector<double>& speeds, Count count) {
+  for (const char* id : ids) {
     const Case c = find_case(id);
-    const std::vector<int> exact = exact_counts(fit, c, speeds);
-    const std::vector<int> counts = counts_of(fit, c, speeds);
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-      const Scene there = at_speed(scene_of(c, default_interpretation().scene), speeds[k]);
-      const long count = std::lround(turns * most_per_turn(there));
-      EXPECT_EQ(exact[k], count) << id << " at " << speeds[k];
-      EXPECT_EQ(counts[k], count) << id << " at " << speeds[k];
+    std::vector<int> expected, limited;
+    for (const double omega : speeds) {
+      expected.push_back(count(at_speed(scene_of(c, default_interpretation().scene), omega)));
+      limited.push_back(std::min(expected.back(), most_counted + 1));
     }
+    EXPECT_EQ(exact_counts(fit, c, speeds), expected) << id;
+    EXPECT_EQ(counts_of(fit, c, speeds), limited) << id;
   }
 }
 
 TEST(Loss, CountsAsASimulationOfEverySpeedDoes) {
-  Parameterisation fit = default_interpretation();
-  const std::vector<double> speeds = {0.5, 2.03, 2.9, 8.1, 12.4, 17.9};
-  for (const char* id : {"C2", "C9", "C11"}) {
-    const Case c = find_case(id);
-    const std::vector<int> counts = counts_of(fit, c, speeds);
-    ASSERT_EQ(counts.size(), speeds.size());
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-      const int all = count_at(scene_of(c, fit.interpretation, fit.constants), speeds[k]);
-      EXPECT_EQ(counts[k], std::min(all, most_counted + 1)) << id << " at " << speeds[k];
-    }
-  }
+  expect_counts(default_interpretation(), {"C2", "C9", "C11"}, {0.5, 2.03, 2.9, 8.1, 12.4, 17.9},
+                [](const Scene& scene) { return count_at(scene, scene.omega); });
+}
+
+TEST(Loss, CountsInALaterWindowTheImpactsAfterItsFirstTurn) {
+  expect_counts(counted(Counted::later), {"C1", "C2", "C9", "C11"}, {0.5, 2.1, 2.9, 8.1, 12.4},
+                [](const Scene& scene) {
+                  const double turn = 2 * std::numbers::pi / scene.omega;
+                  const double turns = std::get<Revolutions>(scene.window).count;
+                  const auto impacts = simulate(with(scene, set::revolutions(turns + 1.2))).impacts;
+                  const auto later = std::ranges::count_if(impacts, [&](const Impact& impact) {
+                    return impact.speed > scene.counting_limit && impact.time > 1.2 * turn;
+                  });
+                  return static_cast<int>(later);
+                });
+}
+
+TEST(Loss, CountsInTheLongRunWhatATurnHas) {
+  const Parameterisation fit = counted(Counted::long_run);
+  const double turns = constant_of(fit, Unknown::revolutions);
+  // The motion of these cases repeats.
+  expect_counts(fit, {"C1", "C3"}, {1.0, 2.5, 5.0, 8.0, 8.2, 15.0}, [&](const Scene& scene) {
+    return static_cast<int>(std::lround(turns * most_per_turn(scene)));
+  });
+}
+
+Parameterisation with_three_unknowns() {
+  return {default_interpretation().interpretation,
+          {Unknown::pull, Unknown::start_velocity, Unknown::counting_limit},
+          default_interpretation().constants};
+}
+
+TEST(Calibration, PlacesConstantsWithinTheirBoundsAndBack) {
+  const Parameterisation fit = with_three_unknowns();
+  const Parameterisation middle = fit_at(fit, Vector::Constant(3, 0.5));
+  // The pull's size is unknown.
+  EXPECT_NEAR(constant_of(middle, Unknown::pull), std::sqrt(0.01 * 40), 1e-12);
+  EXPECT_NEAR(constant_of(middle, Unknown::start_velocity), 0, 1e-12);
+  EXPECT_EQ(constant_of(middle, Unknown::clearance), constant_of(fit, Unknown::clearance));
+  EXPECT_THAT(point_of(middle), testing::Each(testing::DoubleNear(0.5, 1e-12)));
+}
+
+TEST(Calibration, MinimisesTheLossWithSlopesInTheBox) {
+  const Parameterisation fit = with_three_unknowns();
+  const Problem problem = calibration_problem(fit);
+  EXPECT_EQ(problem.dimension(), 3);
+  EXPECT_NEAR(problem.evaluate(problem.start).objective, loss(fit), 1e-6);
+  const Residuals r = problem.residuals(problem.start);
+  ASSERT_EQ(r.jacobian.rows(), r.values.size());
+  const double h = 1e-8;
+  Vector near = problem.start;
+  near[2] += h;
+  const Vector slope = (problem.residuals(near).values - r.values) / h;
+  EXPECT_NEAR((slope - r.jacobian.col(2)).norm() / r.jacobian.col(2).norm(), 0, 1e-4);
 }
 
 }  // namespace
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline paper

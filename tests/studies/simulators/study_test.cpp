@@ -1,15 +1,20 @@
+#include "src/studies/simulators/study.h"
+
 #include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
 
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/error.h"
-#include "src/report/markdown_page.h"
-#include "src/report/report.h"
-#include "tests/studies/simulators/some_scenes.h"
+#include "src/core/files.h"
+#include "src/studies/simulators/suite.h"
+#include "tests/studies/pages.h"
+#include "tests/support/files.h"
 
 namespace ricochet::studies::simulators {
 namespace {
 
-using carrier_track::ContactLaw;
 using testing::AllOf;
 using testing::Ge;
 using testing::HasSubstr;
@@ -27,23 +32,27 @@ esac; done
   return tool;
 }
 
+report::Results losses_of(const Plan& plan) {
+  report::Results results;
+  add_losses(results, plan);
+  return results;
+}
+
 TEST(Losses, CompareEverybody) {
   const ScratchFolder folder;
-  report::Results all;
-  add_losses(
-      all, {1, 44, 44, {Level::usual}, {quiet_tool(folder.path())}, false, folder.path() / "out"});
+  const auto out = folder.path() / "out";
+  const report::Results all =
+      losses_of({1, 44, 44, {Level::usual}, {quiet_tool(folder.path())}, false, out});
   EXPECT_EQ(text_of(*all.value("lost")), "0");
   EXPECT_THAT(text_of(*all.value("losses-finding")), HasSubstr("the worst, "));
   const Table& table = *all.table("simulators");
   EXPECT_EQ(table[0].text("simulator"), "ricochet");
-  const auto is_quiet = [](const Row& row) { return row.text("simulator") == "quiet"; };
-  const auto quiet = table.find(is_quiet);
-  ASSERT_TRUE(quiet);
-  EXPECT_EQ(quiet->number("missed"), 1000);
-  EXPECT_EQ(quiet->number("invented"), 0);
-  EXPECT_GT(quiet->number("ratio"), 100);
-  EXPECT_EQ(quiet->text("reasons"), "e = 0");
-  EXPECT_EQ(all.table("levels")->find(is_quiet)->number("cannot"), 4);
+  const Row quiet = row_of(table, "simulator", "quiet");
+  EXPECT_EQ(quiet.number("missed"), 1000);
+  EXPECT_EQ(quiet.number("invented"), 0);
+  EXPECT_GT(quiet.number("ratio"), 100);
+  EXPECT_EQ(quiet.text("reasons"), "e = 0");
+  EXPECT_EQ(row_of(*all.table("levels"), "simulator", "quiet").number("cannot"), 4);
   EXPECT_EQ(all.table("kinds")->rows.size(), scene_kinds().size());
   each_row(*all.table("kinds"), [](const Row& kind) { EXPECT_EQ(kind.number("scenes"), 4); });
   // Every simulator at every level is a dot of its kind, with its name at the level that is shown.
@@ -53,54 +62,38 @@ TEST(Losses, CompareEverybody) {
   EXPECT_EQ(dots, table.rows.size());
   EXPECT_EQ(all.table("levels")->rows.size(), table.rows.size());
   // One impact is enough to break it, and the scene is kept.
-  const auto broken = all.table("smallest-scenes")->find([](const Row& row) {
-    return row.text("tool") == "quiet";
-  });
-  ASSERT_TRUE(broken);
-  EXPECT_EQ(broken->number("missed"), 1);
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "smallest" / "quiet.jsonl"));
-  const std::string scenes = text_in(folder.path() / "out" / "scenes.jsonl");
-  EXPECT_EQ(std::ranges::count(scenes, '\n'), 44);
+  EXPECT_EQ(row_of(*all.table("smallest-scenes"), "tool", "quiet").number("missed"), 1);
+  EXPECT_TRUE(std::filesystem::exists(out / "smallest" / "quiet.jsonl"));
+  EXPECT_EQ(lines_of(text_of(out / "scenes.jsonl")).size(), 44U);
 }
 
-TEST(Losses, NameTheMethodsThatThisBuildLacks) {
+TEST(Losses, NameTheMethodsAndToolsThatAreMissing) {
   const ScratchFolder folder;
-  report::Results all;
-  add_losses(all, {1, 1, 1, {Level::loose}, {}, false, folder.path()});
-  for (const std::string name : {"cvode-adams", "cvode-bdf"}) {
-    const bool measured = all.table("simulators")
-                              ->find([&](const Row& row) { return row.text("simulator") == name; })
-                              .has_value();
-    const bool missing = all.table("missing")
-                             ->find([&](const Row& row) { return row.text("tool") == name; })
-                             .has_value();
-    EXPECT_NE(measured, missing) << name;
+  const report::Results all = losses_of({1, 1, 1, {Level::loose}, {}, false, folder.path()});
+  for (const char* name : {"cvode-adams", "cvode-bdf"}) {
+    const auto rows = [&](const char* table, const char* column) {
+      return where(*all.table(table), column, value_of(name)).rows.size();
+    };
+    EXPECT_EQ(rows("simulators", "simulator") + rows("missing", "tool"), 1U) << name;
   }
-}
-
-TEST(Losses, NameAToolThatDoesNotStart) {
-  const ScratchFolder folder;
   Plan plan{
       1, 3, 3, {Level::usual}, {own_tool("gone=no-such-program-at-all")}, false, folder.path()};
-  const auto missing = [&plan] {
-    report::Results all;
-    add_losses(all, plan);
-    const Table& table = *all.table("missing");
+  const auto reason = [&plan] {
+    const Table table = *losses_of(plan).table("missing");
     EXPECT_EQ(table.rows.size(), 1 + carrier_track::methods_not_built().size());
     return table[table.rows.size() - 1].text("reason");
   };
-  EXPECT_THAT(missing(), HasSubstr("no such program"));
+  EXPECT_THAT(reason(), HasSubstr("no such program"));
   plan.tools[0].source = (folder.path() / "driver").string();
   plan.tools[0].version = {"false"};
-  EXPECT_THAT(missing(), HasSubstr("not installed"));
+  EXPECT_THAT(reason(), HasSubstr("not installed"));
   plan.needs_all = true;
-  report::Results all;
-  EXPECT_THROW(add_losses(all, plan), InputError);
+  EXPECT_THROW(losses_of(plan), InputError);
 }
 
 TEST(Laws, ReturnWhatTheirDampingSays) {
   // With D = 1.35, D (1 + e) = ln((1 + D) / (1 - e D)).
-  const double e = closed_return(ContactLaw::hunt_crossley, 0.1);
+  const double e = closed_return(carrier_track::ContactLaw::hunt_crossley, 0.1);
   EXPECT_GT(e, 0.5);
   EXPECT_NEAR(1.35 * (1 + e), std::log(2.35 / (1 - e * 1.35)), 1e-12);
   report::Results all;
@@ -161,16 +154,8 @@ TEST(SimulatorsStudy, FillsItsPage) {
   Plan plan;
   plan.scenes = 11;
   plan.folder = folder.path();
-  report::Json data = simulators_study(plan).compute(true);
-  data["made"] = {{"version", "1"},
-                  {"compiler", "c"},
-                  {"threads", 1},
-                  {"seconds", 1.0},
-                  {"date", "2031-02-03"}};
-  const report::Results all = report::results_of(data);
-  const auto page = report::page_source(report::page_template("simulators"));
-  EXPECT_TRUE(page_files(page, all).failures.empty());
-  EXPECT_THAT(terminal_text(page, all), HasSubstr("moreau-jean"));
+  const report::Results results = report::results_in(simulators_study(plan).compute(true));
+  EXPECT_THAT(study_page("simulators", results).terminal, HasSubstr("moreau-jean"));
   plan.scenes = 0;
   EXPECT_THROW(simulators_study(plan), InputError);
 }

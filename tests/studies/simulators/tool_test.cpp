@@ -1,18 +1,174 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <sstream>
 
-#include "ricochet/error.h"
-#include "tests/studies/simulators/some_scenes.h"
+#include "src/core/files.h"
+#include "src/studies/simulators/suite.h"
+#include "tests/support/files.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::studies::simulators {
 namespace {
 
 using testing::ElementsAre;
+using testing::FieldsAre;
 using testing::HasSubstr;
+using testing::Optional;
 
-constexpr const char* text = R"(
+/// A scene of ten seconds with impacts on the lower wall at the times 1, 2, ... and speed 1, which
+/// need not be a motion. Slower impacts than 0.1 do not count.
+ScoredScene with_impacts(int number, const std::string& name = "made") {
+  ScoredScene scored;
+  scored.scene.scene = name;
+  scored.scene.kind = "bouncing";
+  scored.scene.duration = number + 1;
+  scored.scene.slowest = 0.1;
+  for (int k = 1; k <= number; ++k) scored.truth.push_back({double(k), Wall::lower, 1, 0, 0});
+  return scored;
+}
+
+/// The answer that has exactly the true impacts.
+Answer right_answer(const ScoredScene& scored) {
+  Answer answer{scored.scene.scene};
+  for (const TrueImpact& i : scored.truth) answer.impacts.push_back({i.time, i.wall, i.speed});
+  answer.seconds = 0.5;
+  return answer;
+}
+
+TEST(Match, MakesTheMostPairsAndOfThoseTheNearest) {
+  struct Row {
+    std::vector<double> true_times, found_times;
+    std::vector<std::optional<std::size_t>> partners;
+  };
+  const auto on_lower = [](const std::vector<double>& times) {
+    std::vector<Impact> impacts;
+    for (const double t : times) impacts.push_back({t, Wall::lower, 1});
+    return impacts;
+  };
+  for (const Row& row : {
+           // Greedily the first true one would take the second, and the last would have none.
+           Row{{1, 1.5}, {0.6, 1.1}, {0, 1}},
+           Row{{1}, {0.9, 1.01, 1.2}, {1}},
+           Row{{1, 2, 3, 4}, {1.1, 3.1, 4.1}, {0, {}, 1, 2}},
+           Row{{1}, {}, {{}}},
+           Row{{1}, {1.6}, {{}}},
+       }) {
+    EXPECT_EQ(partners_of(on_lower(row.true_times), on_lower(row.found_times), 0.5), row.partners);
+  }
+  EXPECT_THAT(partners_of(on_lower({1}), {{1, Wall::upper, 1}}, 0.5), ElementsAre(std::nullopt));
+}
+
+/// Impacts that count, missed, invented, late and wrong ones.
+std::array<int, 5> numbers_of(const Score& score) {
+  return {score.impacts, score.missed, score.invented, score.late, score.wrong_speed};
+}
+
+TEST(Score, CountsEveryFaultOnce) {
+  const ScoredScene scored = with_impacts(9);  // a second apart
+  Answer answer = right_answer(scored);
+  const Score right = score_of(answer, scored);
+  EXPECT_THAT(numbers_of(right), ElementsAre(9, 0, 0, 0, 0));
+  EXPECT_EQ(right.time_error, 0);
+  EXPECT_EQ(right.penetration, 0);
+  EXPECT_DOUBLE_EQ(*right.seconds_per_impact, 0.5 / 9);
+  auto& impacts = answer.impacts;
+  impacts[1].time += 0.02;                      // late
+  impacts[2].speed *= 1.02;                     // wrong speed
+  impacts[8].wall = Wall::upper;                // missed, and invented
+  impacts.erase(impacts.begin() + 6);           // missed
+  impacts.push_back({3.5, Wall::upper, 0.2});   // invented
+  impacts.push_back({3.6, Wall::upper, 0.09});  // too slow to count
+  impacts.push_back({11, Wall::lower, 1});      // behind the end
+  std::ranges::stable_sort(impacts, {}, &Impact::time);
+  answer.deepest = 1e-6;
+  const Score score = score_of(answer, scored);
+  EXPECT_THAT(numbers_of(score), ElementsAre(9, 2, 2, 1, 1));
+  EXPECT_NEAR(*score.time_error, 0.02, 1e-12) << "up to the first that is lost or invented";
+  EXPECT_EQ(score.penetration, 1e-6);
+}
+
+TEST(Score, DoesNotCountImpactsNextToTheLimit) {
+  ScoredScene scored = with_impacts(4);
+  scored.truth[1].speed = 0.101;  // counts
+  scored.truth[2].speed = 0.099;  // does not
+  Answer answer = right_answer(scored);
+  answer.impacts[1].speed = 0.099;
+  answer.impacts[2].speed = 0.101;
+  const Score score = score_of(answer, scored);
+  EXPECT_EQ(score.impacts, 3);
+  EXPECT_EQ(score.wrong(), 0);
+  answer.impacts.erase(answer.impacts.begin() + 2);
+  EXPECT_EQ(score_of(answer, scored).wrong(), 0) << "a slow one is not missed";
+  answer.impacts[1].speed = 0.049;
+  EXPECT_EQ(score_of(answer, scored).missed, 1) << "one of less than half the limit is no partner";
+}
+
+TEST(Score, TakesAllImpactsFromWhoGivesNoAnswer) {
+  const ScoredScene scored = with_impacts(5);
+  for (const auto& [ending, missed] :
+       {std::pair(Ending::never, 5), std::pair(Ending::error, 5), std::pair(Ending::cannot, 0)}) {
+    EXPECT_THAT(numbers_of(score_of({"made", ending, "why"}, scored)),
+                ElementsAre(missed, missed, 0, 0, 0));
+  }
+}
+
+TEST(Tally, AddsUpScores) {
+  const ScoredScene nine = with_impacts(9), two = with_impacts(2);
+  Answer lossy = right_answer(nine);
+  lossy.impacts.pop_back();
+  const Tally all = tally_of({score_of(lossy, nine), score_of({"made", Ending::cannot, ""}, nine),
+                              score_of({"made", Ending::never, ""}, two)});
+  EXPECT_EQ(std::tuple(all.scenes, all.answered, all.cannot, all.errors, all.never),
+            std::tuple(3, 1, 1, 0, 1));
+  EXPECT_EQ(all.impacts, 11) << "without those of the scene that the tool cannot express";
+  EXPECT_EQ(all.missed, 3);
+  EXPECT_DOUBLE_EQ(*all.wrong(), 3000.0 / 11);
+  EXPECT_FALSE(tally_of({}).wrong());
+  EXPECT_EQ(median_of({3, 1, 2}), 2);
+}
+
+TEST(Answer, IsReadInAnyOrderOfImpacts) {
+  const Answer answer = answer_in(
+      R"({"scene":"a","impacts":[[2,"upper",0.5],[1,"lower",3]],"seconds":0.1,"deepest":1e-5,"end":[0,1]})",
+      "a");
+  EXPECT_THAT(answer,
+              FieldsAre("a", Ending::answered, "",
+                        ElementsAre(FieldsAre(1, Wall::lower, 3), FieldsAre(2, Wall::upper, 0.5)),
+                        0.1, 1e-5));
+}
+
+TEST(Answer, IsAnErrorIfItIsNone) {
+  for (const char* line :
+       {"", "Traceback:", "[]", R"({"scene":"a"})", R"({"scene":"b","impacts":[],"seconds":1})",
+        R"({"scene":"a","impacts":[[1,"left",1]],"seconds":1})",
+        R"({"scene":"a","impacts":[[1,"lower"]],"seconds":1})",
+        R"({"scene":"a","impacts":[[1,"lower",null]],"seconds":1})",
+        R"({"scene":"a","impacts":[],"seconds":-1})", R"({"scene":"a","error":7})"}) {
+    const Answer answer = answer_in(line, "a");
+    EXPECT_EQ(answer.ending, Ending::error) << line;
+    EXPECT_THAT(answer.reason, HasSubstr("no answer")) << line;
+  }
+  EXPECT_EQ(answer_in(R"({"scene":"a","cannot":"one wall only"})", "a").ending, Ending::cannot);
+  EXPECT_EQ(answer_in(R"({"scene":"a","error":"overflow"})", "a").reason, "overflow");
+}
+
+TEST(Answer, IsWrittenAsItIsRead) {
+  EXPECT_THAT(answer_in(line_of(right_answer(with_impacts(3))), "made"),
+              FieldsAre("made", Ending::answered, "",
+                        ElementsAre(FieldsAre(1, Wall::lower, 1), FieldsAre(2, Wall::lower, 1),
+                                    FieldsAre(3, Wall::lower, 1)),
+                        0.5, 0));
+  for (const Ending ending : {Ending::cannot, Ending::error, Ending::never}) {
+    const Answer back = answer_in(line_of({"made", ending, "why"}), "made");
+    EXPECT_EQ(back.ending, ending);
+    EXPECT_EQ(back.reason, "why");
+  }
+}
+
+const std::string tools_text = R"(
 [[tool]]
 name = "some"
 title = "Some tool"
@@ -29,41 +185,34 @@ sets = "both"
 advice = "none"
 )";
 
-TEST(Tool, IsReadFromAFile) {
+TEST(Tool, IsReadFromAFileOrRefused) {
   const ScratchFolder folder;
-  const auto tools = tools_in(write_file(folder.path() / "tools.toml", text));
+  const auto read = [&](const std::string& text) {
+    return tools_in(write_file(folder.path() / "tools.toml", text));
+  };
+  const auto tools = read(tools_text);
   ASSERT_EQ(tools.size(), 1U);
   EXPECT_EQ(tools[0].name, "some");
   EXPECT_THAT(tools[0].run, ElementsAre("$OUT", "fast"));
   EXPECT_EQ(tools[0].source, folder.path() / "some.cpp");
   EXPECT_EQ(tools[0].levels[static_cast<std::size_t>(Level::tight)], "1e-12");
-}
-
-TEST(Tool, IsRefusedWhereTheFileIsWrong) {
-  const ScratchFolder folder;
-  const auto complaint = [&](std::string changed, const std::string& from, const std::string& to) {
-    changed.replace(changed.find(from), from.size(), to);
-    try {
-      tools_in(write_file(folder.path() / "tools.toml", changed));
-      return std::string("none");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string changed = tools_text;
+    return changed.replace(changed.find(from), from.size(), to);
   };
-  EXPECT_THAT(complaint(text, "title", "titel"), HasSubstr("there is no key titel"));
-  EXPECT_THAT(complaint(text, "run = [\"$OUT\", \"fast\"]", ""), HasSubstr("run is missing"));
-  EXPECT_THAT(complaint(text, "[\"some-dev\"]", "7"), HasSubstr("packages = 7: must be a text"));
-  EXPECT_THAT(complaint(text, "\"some\"", "\"a/b\""), HasSubstr("a/b"));
-  EXPECT_THAT(complaint(std::string(text) + text, "1e-4", "1e-3"), HasSubstr("twice"));
+  expect_refusals(read, {{with("title", "titel"), "there is no key titel"},
+                         {with("run = [\"$OUT\", \"fast\"]", ""), "run is missing"},
+                         {with("[\"some-dev\"]", "7"), "packages = 7: must be a text"},
+                         {with("\"some\"", "\"a/b\""), "a/b"},
+                         {tools_text + with("1e-4", "1e-3"), "twice"}});
 }
 
 TEST(Tool, MayBeOnesOwn) {
   const Tool tool = own_tool("mine=python3 my.py  fast");
   EXPECT_EQ(tool.name, "mine");
   EXPECT_THAT(tool.run, ElementsAre("python3", "my.py", "fast"));
-  for (const char* wrong : {"", "mine", "mine=", "=x", "a/b=x"}) {
+  for (const char* wrong : {"", "mine", "mine=", "=x", "a/b=x"})
     EXPECT_THROW(own_tool(wrong), InputError) << wrong;
-  }
 }
 
 /// A tool whose driver is "compiled" by copying it.
@@ -79,7 +228,7 @@ Tool copied_tool(const std::filesystem::path& folder) {
 
 TEST(ToolProgram, IsCompiledOnceAndTellsItsVersion) {
   const ScratchFolder folder;
-  Tool tool = copied_tool(folder.path());
+  const Tool tool = copied_tool(folder.path());
   const FoundTool found = found_tool(tool, folder.path() / "drivers");
   ASSERT_EQ(found.reason, "");
   EXPECT_EQ(found.version, "3.1");
@@ -104,14 +253,18 @@ TEST(ToolProgram, SaysWhyItIsNotThere) {
   EXPECT_THAT(found_tool(tool, folder.path()).reason, HasSubstr("header.h is missing"));
 }
 
+FoundTool program(std::vector<std::string> command) {
+  FoundTool found;
+  found.tool.name = "fake";
+  found.command = std::move(command);
+  return found;
+}
+
 /// A shell script that answers scenes by their names.
 FoundTool script(const std::filesystem::path& folder, const std::string& body) {
   const auto file = write_file(folder / "tool.sh",
                                "while read -r line; do case $line in\n" + body + "esac; done\n");
-  FoundTool program;
-  program.tool.name = "fake";
-  program.command = {"sh", file.string()};
-  return program;
+  return program({"sh", file.string()});
 }
 
 TestScene named(const std::string& name) {
@@ -121,23 +274,21 @@ TestScene named(const std::string& name) {
   return scene;
 }
 
-constexpr const char* body = R"(
+TEST(ToolSession, OutlivesWhatTheToolDoes) {
+  const ScratchFolder folder;
+  ToolSession session(script(folder.path(), R"(
 *'"good"'*) echo '{"scene":"good","impacts":[[1,"lower",1]],"seconds":0.1}';;
 *'"cannot"'*) echo '{"scene":"cannot","cannot":"no"}';;
 *'"crash"'*) echo "memory is full" >&2; exit 3;;
 *'"hang"'*) sleep 100;;
-)";
-
-TEST(ToolSession, OutlivesWhatTheToolDoes) {
-  const ScratchFolder folder;
-  ToolSession session(script(folder.path(), body), Level::usual, folder.path() / "log",
+)"),
+                      Level::usual, folder.path() / "log",
                       {std::chrono::seconds(20), std::chrono::seconds(1)});
   EXPECT_EQ(session.ask(named("good")).impacts.size(), 1U);
   EXPECT_EQ(session.ask(named("cannot")).ending, Ending::cannot);
   const Answer crash = session.ask(named("crash"));
   EXPECT_EQ(crash.ending, Ending::error);
-  EXPECT_THAT(crash.reason, HasSubstr("exit code 3"));
-  EXPECT_THAT(crash.reason, HasSubstr("memory is full"));
+  EXPECT_THAT(crash.reason, testing::AllOf(HasSubstr("exit code 3"), HasSubstr("memory is full")));
   EXPECT_EQ(session.ask(named("good")).ending, Ending::answered) << "it is started again";
   const Answer hang = session.ask(named("hang"));
   EXPECT_EQ(hang.ending, Ending::never);
@@ -147,9 +298,7 @@ TEST(ToolSession, OutlivesWhatTheToolDoes) {
 
 TEST(ToolSession, GivesUpAToolThatNeverStarts) {
   const ScratchFolder folder;
-  FoundTool program;
-  program.command = {"no-such-program-at-all"};
-  ToolSession session(program, Level::usual, folder.path() / "log");
+  ToolSession session(program({"no-such-program-at-all"}), Level::usual, folder.path() / "log");
   EXPECT_EQ(session.ask(named("good")).ending, Ending::error);
   EXPECT_EQ(session.ask(named("good")).ending, Ending::error);
   EXPECT_THROW(session.ask(named("good")), ToolFailure);
@@ -157,34 +306,10 @@ TEST(ToolSession, GivesUpAToolThatNeverStarts) {
 
 TEST(ToolSession, TellsTheToolItsLevel) {
   const ScratchFolder folder;
-  FoundTool program;
-  program.command = {"sh", "-c", R"(read -r line; echo "{\"scene\":\"a\",\"cannot\":\"$0\"}")"};
-  ToolSession session(program, Level::tight, folder.path() / "log");
-  EXPECT_EQ(session.ask(named("a")).reason, "tight");
-}
-
-TEST(ToolSession, IsScoredForEveryThirdImpactThatItMisses) {
-  const ScratchFolder folder;
-  const ScoredScene scored = with_impacts(9);
   ToolSession session(
-      script(folder.path(),
-             R"(*) echo '{"scene":"made","impacts":[[1,"lower",1],[2,"lower",1],[4,"lower",1],)"
-             R"([5,"lower",1],[7,"lower",1],[8,"lower",1]],"seconds":0.1}';;
-)"),
-      Level::usual, folder.path() / "log");
-  const Score score = score_of(session.ask(scored.scene), scored);
-  EXPECT_EQ(score.missed, 3);
-  EXPECT_EQ(score.invented, 0);
-  EXPECT_EQ(score.late, 0);
-}
-
-std::vector<ScoredScene> three_scenes() {
-  std::vector<ScoredScene> scenes;
-  for (const char* name : {"a", "b", "c"}) {
-    scenes.push_back(with_impacts(2));
-    scenes.back().scene.scene = name;
-  }
-  return scenes;
+      program({"sh", "-c", R"(read -r line; echo "{\"scene\":\"a\",\"cannot\":\"$0\"}")"}),
+      Level::tight, folder.path() / "log");
+  EXPECT_EQ(session.ask(named("a")).reason, "tight");
 }
 
 /// Counts how often it is asked; throws in place of the last answers.
@@ -199,53 +324,47 @@ struct Asked {
   }
 };
 
+const std::vector<ScoredScene> three_scenes = {with_impacts(2, "a"), with_impacts(2, "b"),
+                                               with_impacts(2, "c")};
+
+/// How often somebody is asked for their answers, which are kept in the file.
+int asked_for(const std::filesystem::path& file, const std::string& origin = "origin") {
+  Asked asked;
+  std::string lines;
+  for (const Answer& answer : kept_answers(file, origin, three_scenes, std::ref(asked)))
+    lines += line_of(answer);
+  std::string expected;
+  for (const ScoredScene& scene : three_scenes) expected += line_of(right_answer(scene));
+  EXPECT_EQ(lines, expected);
+  return asked.answers;
+}
+
 TEST(KeptAnswers, GoOnWhereTheyWereInterrupted) {
   const ScratchFolder folder;
   const auto file = folder.path() / "answers" / "tool.jsonl";
-  const auto scenes = three_scenes();
-  Asked first{0, 2};
-  EXPECT_THROW(kept_answers(file, "origin", scenes, std::ref(first)), std::runtime_error);
-  Asked second;
-  const auto answers = kept_answers(file, "origin", scenes, std::ref(second));
-  EXPECT_EQ(second.answers, 1);
-  ASSERT_EQ(answers.size(), 3U);
-  EXPECT_EQ(answers[0].scene, "a");
-  EXPECT_EQ(answers[2].impacts.size(), 2U);
-  Asked third;
-  kept_answers(file, "origin", scenes, std::ref(third));
-  EXPECT_EQ(third.answers, 0);
+  Asked killed{0, 2};
+  EXPECT_THROW(kept_answers(file, "origin", three_scenes, std::ref(killed)), std::runtime_error);
+  EXPECT_EQ(asked_for(file), 1);
+  EXPECT_EQ(asked_for(file), 0);
+  EXPECT_EQ(asked_for(file, "another version"), 3);
 }
 
 TEST(KeptAnswers, AskAgainForALineThatIsCutOff) {
   const ScratchFolder folder;
   const auto file = folder.path() / "tool.jsonl";
-  Asked first;
-  kept_answers(file, "origin", three_scenes(), std::ref(first));
-  const std::string text = text_in(file);
+  EXPECT_EQ(asked_for(file), 3);
+  const std::string text = text_of(file);
   for (const std::size_t left : {text.size() - 1, text.size() - 20}) {
     write_file(file, text.substr(0, left));
-    Asked second;
-    EXPECT_EQ(kept_answers(file, "origin", three_scenes(), std::ref(second)).size(), 3U);
-    EXPECT_EQ(second.answers, 1);
-    EXPECT_EQ(text_in(file), text);
+    EXPECT_EQ(asked_for(file), 1);
+    EXPECT_EQ(text_of(file), text);
   }
 }
 
-TEST(KeptAnswers, AreThoseOfTheSameOriginAlone) {
-  const ScratchFolder folder;
-  const auto file = folder.path() / "tool.jsonl";
-  Asked first, second;
-  kept_answers(file, "version 1", three_scenes(), std::ref(first));
-  kept_answers(file, "version 2", three_scenes(), std::ref(second));
-  EXPECT_EQ(second.answers, 3);
-}
-
-std::vector<Tool> all_tools() {
-  return tools_in(RICOCHET_SOURCE "/src/studies/simulators/tools/tools.toml");
-}
+const std::filesystem::path tools_folder = RICOCHET_SOURCE "/src/studies/simulators/tools";
 
 TEST(ImpactTools, AreDescribedInFull) {
-  for (const Tool& tool : all_tools()) {
+  for (const Tool& tool : tools_in(tools_folder / "tools.toml")) {
     EXPECT_TRUE(std::filesystem::exists(tool.source)) << tool.source;
     for (const std::string& level : tool.levels) EXPECT_NE(level, "") << tool.name;
     EXPECT_NE(tool.sets, "") << tool.name;
@@ -255,28 +374,22 @@ TEST(ImpactTools, AreDescribedInFull) {
 
 TEST(ImpactTools, HaveEveryKeyInTheirReadme) {
   const ScratchFolder folder;
-  std::string said;
-  try {
-    tools_in(write_file(folder.path() / "tools.toml", "[[tool]]\nqqqqqqqq = 1\n"));
-  } catch (const InputError& error) {
-    said = error.what();
-  }
+  const auto file = write_file(folder.path() / "tools.toml", "[[tool]]\nqqqqqqqq = 1\n");
+  const std::string said = complaint_of([&] { return tools_in(file); });
   const std::size_t list = said.find("allowed: ");
   ASSERT_NE(list, std::string::npos) << said;
-  const std::string page = text_of_file(RICOCHET_SOURCE "/src/studies/simulators/tools/README.md");
+  const std::string page = text_of(tools_folder / "README.md");
   std::istringstream words(said.substr(list + 9));
   int keys = 0;
-  for (std::string word; words >> word; ++keys) {
-    const std::string key = word.substr(0, word.find(','));
-    EXPECT_NE(page.find('`' + key + '`'), std::string::npos) << key;
-  }
+  for (std::string word; words >> word; ++keys)
+    EXPECT_THAT(page, HasSubstr('`' + word.substr(0, word.find(',')) + '`'));
   EXPECT_EQ(keys, 13);
 }
 
 class ImpactTools : public testing::TestWithParam<const char*> {};
 
 TEST_P(ImpactTools, AnswerFiftyScenes) {
-  const std::vector<Tool> tools = all_tools();
+  const std::vector<Tool> tools = tools_in(tools_folder / "tools.toml");
   const auto tool = std::ranges::find(tools, GetParam(), &Tool::name);
   ASSERT_NE(tool, tools.end());
   const ScratchFolder folder;

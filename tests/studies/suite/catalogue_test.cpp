@@ -1,26 +1,19 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
+#include <map>
 #include <string>
 
-#include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "src/studies/suite/suite.h"
+#include "tests/support/files.h"
+#include "tests/support/refusals.h"
 
 namespace ricochet::studies {
 namespace {
-
-/// Evaluations charged for one value with its gradient, beside the value.
-std::int64_t charged_for_a_gradient(const Campaign& campaign, const PlannedCell& cell) {
-  const Problem problem = campaign.problems()[cell.problem].formulated(cell.formulation);
-  Evaluator evaluator(problem, cell.budget);
-  EXPECT_TRUE(evaluator.derivatives(problem.start));
-  return evaluator.ledger().charged - 1;
-}
 
 TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
   const Campaign campaign(
@@ -31,11 +24,14 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
       whole_catalogue());
   std::map<std::string, std::int64_t> measured;
   for (const PlannedCell& cell : campaign.cells()) {
-    const std::int64_t charged = charged_for_a_gradient(campaign, cell);
+    const Problem problem = campaign.problems()[cell.problem].formulated(cell.formulation);
+    Evaluator evaluator(problem, cell.budget);
+    EXPECT_TRUE(evaluator.derivatives(problem.start));
+    const std::int64_t charged = evaluator.ledger().charged - 1;  // beside the value
     if (cell.cell.gradient_price == "measured") {
       measured[cell.cell.problem] = charged;
     } else {
-      EXPECT_EQ(charged, campaign.problems()[cell.problem].dimension());
+      EXPECT_EQ(charged, problem.dimension());
     }
   }
   // A gradient of one variable costs one evaluation at both prices.
@@ -55,8 +51,7 @@ TEST(Catalogue, HasAsManyProblemsAsTheDocumentsSay) {
         family.problems, [](const Problem& problem) { return problem.dimension() <= 100; }));
   }
   const auto says = [](const char* file, const std::string& sentence) {
-    std::ifstream stream(std::string(RICOCHET_SOURCE "/") + file);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = text_of(std::filesystem::path(RICOCHET_SOURCE) / file);
     std::ranges::replace(text, '\n', ' ');
     EXPECT_THAT(text, testing::HasSubstr(sentence)) << file;
   };
@@ -85,27 +80,52 @@ TEST(Catalogue, LeavesPathologicalProblemsToPlansThatNameThem) {
 }
 
 TEST(Catalogue, NamesThePlaceOfAMachineThatItDoesNotKnow) {
-  const auto said = [](const std::string& machines) -> std::string {
-    try {
-      const Campaign campaign(
-          plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"scan\"\nbudgets = 9\n"
-                    "machines = {around = " +
-                        machines + "}",
-                    "test"),
-          whole_catalogue());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
-  };
-  using testing::StartsWith;
-  EXPECT_EQ(said("\"C1\", frictoin = 0.5"),
-            "part 1, machines: there is no key frictoin; did you mean friction?");
-  EXPECT_THAT(said("\"C1\", friction = -1"),
-              StartsWith("part 1, machines: friction = -1: must be"));
-  EXPECT_THAT(said("\"C1\", fidelity = \"auto\""), StartsWith("part 1, machines: fidelity = auto"));
-  EXPECT_THAT(said("\"C1\", restitution = 1.5"), StartsWith("part 1, machines: C1-r1.5"));
-  EXPECT_THAT(said("\"C99\""), StartsWith("part 1, machines: C99"));
+  expect_refusals(
+      [](const std::string& machines) {
+        return Campaign(plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"scan\"\nbudgets = 9\n"
+                                  "machines = {around = " +
+                                      machines + "}",
+                                  "test"),
+                        whole_catalogue());
+      },
+      {{"\"C1\", frictoin = 0.5",
+        "part 1, machines: there is no key frictoin; did you mean friction?"},
+       {"\"C1\", friction = -1", "part 1, machines: friction = -1: must be"},
+       {"\"C1\", fidelity = \"auto\"", "part 1, machines: fidelity = auto"},
+       {"\"C1\", restitution = 1.5", "part 1, machines: C1-r1.5"},
+       {"\"C99\"", "part 1, machines: C99"}});
+}
+
+/// The text of a family, or of the one that it is like; "" if neither has it.
+std::string family_text(const toml::table& texts, const std::string& family, const char* key) {
+  const auto own = texts[family][key].value<std::string>();
+  const auto like = texts[family]["like"].value<std::string>();
+  return own ? *own : like ? family_text(texts, *like, key) : "";
+}
+
+/// What the page of a family says agrees with its problems.
+TEST(FamilyTexts, SayWhatEveryFamilyAsks) {
+  const toml::table texts =
+      toml::parse_file(RICOCHET_SOURCE "/src/analysis/comparison/families.toml");
+  for (const Family& family : suite_families()) {
+    for (const char* key : {"title", "asks", "formula", "instances", "users"})
+      EXPECT_GT(family_text(texts, family.name, key).size(), 10U) << family.name << ' ' << key;
+    const auto any_formulation = [&](const auto& of) {
+      return std::ranges::any_of(family.problems, [&](const Problem& problem) {
+        return std::ranges::any_of(problem.formulations(), [&](const Formulation& formulation) {
+          return of(problem.formulated(formulation));
+        });
+      });
+    };
+    const std::pair<const char*, bool> parts[] = {
+        {"constraints", any_formulation([](const Problem& p) { return p.constraints > 0; })},
+        {"surrogate",
+         any_formulation([](const Problem& p) { return static_cast<bool>(p.smoothed); })},
+        {"derivatives",
+         any_formulation([](const Problem& p) { return p.differentiate || p.residuals; })}};
+    for (const auto& [key, asked] : parts)
+      EXPECT_EQ(!family_text(texts, family.name, key).empty(), asked) << family.name << ' ' << key;
+  }
 }
 
 }  // namespace

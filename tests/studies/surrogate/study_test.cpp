@@ -1,16 +1,17 @@
 #include "src/studies/surrogate/study.h"
 
 #include <gmock/gmock.h>
+#include <tbb/global_control.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/suite/machine.h"
-#include "src/report/markdown_page.h"
-#include "src/report/report.h"
+#include "tests/studies/pages.h"
+#include "tests/support/problems.h"
+#include "tests/support/scenes.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -19,28 +20,17 @@ using namespace carrier_track;
 using testing::HasSubstr;
 
 TEST(SurrogateStudy, FillsItsPageAndDrawsItsCharts) {
-  report::Json data = surrogate_study().compute(true);
-  data["made"] = {{"version", "1.2.3"},
-                  {"compiler", "GCC"},
-                  {"threads", 2},
-                  {"seconds", 4.5},
-                  {"date", "2026-01-01"}};
-  const report::Results results = report::results_of(data);
-  const auto page = report::page_source(report::page_template("surrogate"));
-  const report::PageFiles written = page_files(page, results);
-  EXPECT_TRUE(written.failures.empty());
-  for (const char* chart : {"speed-gap.svg", "validity-trend.svg"}) {
-    EXPECT_TRUE(written.files.contains(chart)) << chart;
-  }
-  const std::string text = written.files.at("summary.md");
+  const report::Results results = report::results_in(surrogate_study().compute(true));
+  const StudyPage page = study_page("surrogate", results);
+  EXPECT_TRUE(page.files.contains("speed-gap.svg"));
+  EXPECT_TRUE(page.files.contains("validity-trend.svg"));
   for (const char* section : {"## How large is the surrogate's bias?", "## Is the surrogate cont",
                               "## Where does the gradient mean", "## Are the derivatives right?"}) {
-    EXPECT_THAT(text, HasSubstr(section));
+    EXPECT_THAT(page.files.at("summary.md"), HasSubstr(section));
   }
-  for (const Table& table : results.tables) {
+  for (const Table& table : results.tables)
     EXPECT_TRUE(table.name == "unexplained" || !table.rows.empty()) << table.name;
-  }
-  EXPECT_THAT(terminal_text(page, results), HasSubstr("At smoothing parameter 0.25"));
+  EXPECT_THAT(page.terminal, HasSubstr("At smoothing parameter 0.25"));
 }
 
 TEST(Bias, KnowsTheBestOfTheCountAndClosesAsTheSmoothingGoesToZero) {
@@ -122,17 +112,9 @@ TEST(Gradients, CountPointsWithoutATrendAmongAll) {
 /// Drifts from x = 0.5 m at 0.1 m/s and swings by 0.5 m about that, so that it first turns at some
 /// 1.5 m + 0.1 m/s pi / omega: the faster, the lower. The second swing hits the wall in
 /// any case, about as fast as the counting limit.
-Scene swing() {
-  Scene scene;
-  scene.centrifugal_mass_radius = 0.5;
-  scene.start_position = 0.5;
-  scene.start_velocity = 0.1;
-  scene.wall_upper = 1.6;
-  scene.restitution_lower = scene.restitution_upper = 0.5;
-  scene.counting_limit = 1.3;
-  scene.window = Revolutions{2};
-  return scene;
-}
+const Scene swing =
+    with(Scene{}, set::centrifugal_mass_radius(0.5), set::start(0.5, 0.1), set::wall_upper(1.6),
+         set::restitution(0.5), set::counting_limit(1.3), set::revolutions(2));
 
 /// [m] of the swing's top over the wall at a speed [rad/s].
 double overshoot(double omega) {
@@ -149,13 +131,180 @@ TEST(Gradients, GrowWithTheInverseRootOfTheDistanceFromAGraze) {
     (overshoot(middle) > 0 ? grazing : missed) = middle;
   }
   const auto slope = [&](double distance) {
-    return surrogate_slope(at_speed(swing(), grazing - distance * 18), 0.25, 18);
+    return surrogate_slope(at_speed(swing, grazing - distance * 18), 0.25, 18);
   };
   const double far = slope(1e-7).slope, near = slope(1e-9).slope;
   EXPECT_NEAR(near / far, 10, 0.5);
   EXPECT_NEAR(slope(-1e-9).slope, slope(-1e-7).slope, 1e-2 * std::abs(slope(-1e-7).slope));
   for (const double distance : {1e-7, 1e-9, -1e-7, -1e-9})
     EXPECT_NEAR(slope(distance).trust.reach / std::abs(distance), 1, 1e-2);
+}
+
+/// The change of f between two neighbouring numbers, found from its values at 17 points.
+template <class Function>
+double largest_jump(const Function& f) {
+  std::vector<double> values;
+  for (int k = 0; k <= 16; ++k) values.push_back(f(k / 16.0));
+  return narrowed(steepest_piece(values), f).change();
+}
+
+TEST(Continuity, NarrowsAStepBesideASteepSlope) {
+  const auto stair = [](double t) { return 0.2 * t * t + (t > 0.37 ? 0.3 : 0.0); };
+  EXPECT_NEAR(largest_jump(stair), 0.3, 1e-15);
+  EXPECT_LT(largest_jump([](double t) { return std::sin(20 * t); }), 1e-14);
+  EXPECT_LT(largest_jump([](double t) { return std::sqrt(t); }), 1e-7);
+}
+
+TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
+  const Table table = changes({0.5, 0.25}, 162, 3);
+  EXPECT_EQ(table.rows.size(), 162U);
+  each_row(table, [](const Row& row) {
+    EXPECT_LT(row.number("steepest"), largest_allowed);
+    EXPECT_LT(row.number_if("strike").value_or(0), largest_allowed);
+    // A root, or smoother; 0 would be a jump.
+    EXPECT_GT(row.number_if("exponent").value_or(1), 0.4);
+  });
+  report::Results results;
+  add_continuity(results, table);
+  EXPECT_GT(number_in(*results.value("count-jumps")), 0.2);
+  EXPECT_GT(number_in(*results.value("births")), 3);
+  EXPECT_EQ(text_of(*results.value("continuous")), "Yes, up to rounding");
+  const Table& continuity = *results.table("continuity");
+  ASSERT_EQ(continuity.rows.size(), 4U);
+  EXPECT_EQ(continuity[0].number("smoothing"), 0.5);
+  EXPECT_EQ(continuity[0].text("where"), "steepest");
+  EXPECT_EQ(continuity[0].number("segments") + continuity[2].number("segments"), 162);
+}
+
+TEST(Continuity, IsNotShownWhereAChangeIsTooLarge) {
+  Table table{"changes", columns_named("smoothing,count_jumps,steepest,strike,exponent")};
+  table.add(0.25, true, 1e-12, 2e-5, 0.1);
+  table.add(0.25, false, 1e-12, std::nullopt, std::nullopt);
+  report::Results results;
+  add_continuity(results, table);
+  EXPECT_EQ(text_of(*results.value("continuous")), "That is not shown");
+  EXPECT_EQ(*results.value("jumps-larger"), value_of(1));
+  EXPECT_EQ(*results.value("jump-worst"), value_of(2e-5));
+  EXPECT_EQ(*results.value("count-jumps"), value_of(0.5));
+  EXPECT_EQ(*results.value("exponents-low"), value_of(1));
+}
+
+TEST(Continuity, HasTheSameBitsForAnyNumberOfThreads) {
+  const Table many = changes({0.25}, 54, 4);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(changes({0.25}, 54, 4).rows, many.rows);
+}
+
+/// (x - 1)^2 + y^3 in [0, 2] x [-1, 3], subject to x y <= 1.
+Problem polynomial(const std::string& name) {
+  Problem problem;
+  problem.name = name;
+  problem.lower = Vector{{0, -1}};
+  problem.upper = Vector{{2, 3}};
+  problem.constraints = 1;
+  problem.evaluate = [](const Vector& x) {
+    return Values{std::pow(x[0] - 1, 2) + std::pow(x[1], 3), Vector::Constant(1, x[0] * x[1] - 1)};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector{{2 * (x[0] - 1), 3 * x[1] * x[1]}},
+                       Matrix{{x[1], x[0]}}};
+  };
+  return problem;
+}
+
+Family family_of(const Problem& problem) {
+  return {problem.name, {{problem}}};
+}
+
+/// A function of one variable in [-1, 1] with what is said to be its slope.
+template <class Function, class Slope>
+Problem curve(Function function, Slope slope) {
+  Problem problem =
+      box_problem("curve-C1", 1, -1, 1, 0, [function](const Vector& x) { return function(x[0]); });
+  differentiate_by(problem,
+                   [slope](const Vector& x) -> Vector { return Vector::Constant(1, slope(x[0])); });
+  return problem;
+}
+
+Problem corner() {
+  return curve([](double x) { return std::abs(x); }, [](double x) { return x > 0 ? 1 : -1; });
+}
+
+std::string cause(const Problem& problem, double point) {
+  return derivatives_at("", problem, Vector::Constant(1, point), Vector::Ones(1))[0].text("cause");
+}
+
+/// How many rows of a function have a cause.
+std::size_t with_cause(const Table& table, const char* function, const char* cause) {
+  return where(where(table, "function", value_of(function)), "cause", value_of(cause)).rows.size();
+}
+
+TEST(Derivatives, AreComparedAlongADirectionOfTheUnitBox) {
+  // At x = 1.5, y = 1.
+  const Table found =
+      derivatives_at("", polynomial("polynomial-C3"), Vector{{0.75, 0.5}}, Vector{{0.6, -0.8}});
+  ASSERT_EQ(found.rows.size(), 2U);
+  EXPECT_NEAR(found[0].number("exact"), 1 * 2 * 0.6 + 3 * 4 * -0.8, 1e-14);
+  EXPECT_NEAR(found[0].number("difference"), found[0].number("exact"), 1e-10);
+  EXPECT_NEAR(found[1].number("exact"), 1 * 2 * 0.6 + 1.5 * 4 * -0.8, 1e-14);
+  EXPECT_NEAR(found[1].number("difference"), found[1].number("exact"), 1e-10);
+  EXPECT_EQ(found[0].text("cause"), "none");
+}
+
+TEST(Derivatives, ThatAreWrongAreFound) {
+  Problem wrong = polynomial("wrong-C1");
+  wrong.differentiate = [right = wrong.differentiate](const Vector& x) {
+    Derivatives d = right(x);
+    d.jacobian(0, 1) *= 1 + 1e-4;
+    return d;
+  };
+  const Table table = derivatives({family_of(wrong)}, 200, 1);
+  EXPECT_EQ(with_cause(table, "objective", "none"), 200U);
+  EXPECT_GT(with_cause(table, "constraints", "unexplained"), 180U);
+  report::Results results;
+  add_derivatives(results, table);
+  EXPECT_EQ(results.table("unexplained")->rows.size(),
+            with_cause(table, "constraints", "unexplained"));
+  EXPECT_EQ((*results.table("derivatives"))[1].number("derivatives"), 200);
+  EXPECT_EQ(*results.value("unexplained-outliers"),
+            (*results.table("derivatives"))[1]["unexplained"]);
+}
+
+TEST(Derivatives, AtACornerAreExplainedByTheReachAlone) {
+  const double near = 0.5 + 0.5e-7;  // shorter than the shortest step
+  EXPECT_EQ(cause(corner(), near), "unexplained");
+  EXPECT_EQ(cause(corner(), 0.7), "none");
+  Problem knowing = corner();  // how far its corner is
+  knowing.differentiate = [differentiate = knowing.differentiate](const Vector& x) {
+    Derivatives d = differentiate(x);
+    d.trust.reach = std::abs(x[0]) / 2;
+    return d;
+  };
+  EXPECT_EQ(cause(knowing, near), "reach");
+}
+
+TEST(Derivatives, OfNextToNothingAreFlatAndThoseThatDifferencesCannotTellAreRounding) {
+  EXPECT_EQ(cause(curve([](double x) { return 5 + 1e-10 * x; }, [](double) { return 3e-10; }), 0.7),
+            "flat");
+  const Problem coarse =
+      curve([](double x) { return 1.37e-7 * std::round(x / 1.37e-7); }, [](double) { return 1.0; });
+  const Table table = derivatives({family_of(coarse)}, 1000, 1);
+  EXPECT_GT(with_cause(table, "objective", "rounding"), 700U);
+  EXPECT_EQ(with_cause(table, "objective", "reach"), 0U);
+}
+
+TEST(Derivatives, OfTheCasesSurrogatesHoldOnAnyNumberOfThreads) {
+  Problem without = polynomial("without-derivatives");
+  without.differentiate = nullptr;
+  const std::vector<Family> of_machines = families_of(all_machines());
+  const std::vector<Family> families = {of_machines[0], of_machines[1], family_of(without)};
+  const Table table = derivatives(families, 72, 7);
+  ASSERT_EQ(table.rows.size(), 36U + 2 * 36U);
+  EXPECT_TRUE(where(table, "cause", value_of("unexplained")).rows.empty());
+  each_row(aggregated(table, {"family", "function"}, {{{"half"}, "relative", median_of}}),
+           [](const Row& row) { EXPECT_LT(row.number("half"), 1e-10) << row.text("family"); });
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(derivatives(families, 72, 7).rows, table.rows);
 }
 
 }  // namespace

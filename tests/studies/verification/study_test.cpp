@@ -1,16 +1,47 @@
 #include <gmock/gmock.h>
 
 #include "ricochet/error.h"
-#include "src/report/markdown_page.h"
-#include "src/report/report.h"
 #include "src/studies/verification/verification.h"
+#include "tests/studies/pages.h"
 
 namespace ricochet::studies {
 namespace {
 
-using report::Json;
+using carrier_track::Comparison;
 using testing::HasSubstr;
 using testing::Not;
+
+Comparison comparison(bool certain, int count, int true_values) {
+  Comparison c;
+  c.certain = certain;
+  c.count = count;
+  c.true_values = true_values;
+  c.matched = 2;
+  c.time_error = 1e-9;
+  return c;
+}
+
+TEST(Tally, SeparatesWrongCountsThatWereCalledCertainFromOthers) {
+  const Comparison right = comparison(true, 3, 3), wrong = comparison(true, 3, 4);
+  Comparison broken = wrong, unmatched = right;
+  broken.compared = false;  // the oracle broke off
+  unmatched.missed = 1;
+  unmatched.time_error = 1;  // only of scenes whose impacts all match
+  Table expected{"some", columns_named("scenes,number,capped,certain,wrong_certain,wrong_uncertain,"
+                                       "matched,missed,time_error")};
+  // Matched are those of scenes called certain.
+  expected.add("some", 4, 0, 0.5, 1, 1, 4, 0, 1e-9);
+  expected.add("some", 2, 1, 1.0, 0, 0, 2, 0, 1e-9);
+  expected.add("some", 2, 0, 1.0, 0, 0, 4, 1, 1e-9);
+  const std::vector<std::vector<Comparison>> all = {
+      {right, wrong, comparison(false, 3, 4), comparison(false, 3, 3)},
+      {broken, right},
+      {unmatched, right}};
+  std::vector<std::string> names;
+  for (const Column& column : expected.columns) names.push_back(column.name);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_EQ(only(tally("some", all[i]), names).rows.at(0), expected.rows[i]);
+}
 
 TEST(Verification, SaysWhichScenesAreWrong) {
   report::Results results;
@@ -21,28 +52,22 @@ TEST(Verification, SaysWhichScenesAreWrong) {
   results.set("wrong-speeds", "WRONG: the certain count of: C1 at 0.10 rad/s.");
   results.add(Table{"scenes"});
   results.add(Table{"quiet-speeds"});
-  for (const char* name : {"version", "compiler", "threads", "seconds", "date"})
-    results.set(std::string("made.") + name, "1");
-  const auto page = report::page_source(report::page_template("verification"));
-  EXPECT_THAT(filled_page(page, results), HasSubstr("\nWRONG: the certain count of: scene 2.\n"));
-  EXPECT_THAT(terminal_text(page, results), HasSubstr("C1 at 0.10 rad/s.\n"));
+  const StudyPage page = study_page("verification", results);
+  EXPECT_THAT(page.files.at("summary.md"), HasSubstr("\nWRONG: the certain count of: scene 2.\n"));
+  EXPECT_THAT(page.terminal, HasSubstr("C1 at 0.10 rad/s.\n"));
 }
 
 TEST(Verification, FindsNothingWrongAndSaysSo) {
-  const Json data = verification_study({.scenes = 60, .seed = 3}).compute(false);
-  const report::Results results = report::results_in(data);
+  const report::Results results =
+      report::results_in(verification_study({.scenes = 60, .seed = 3}).compute(false));
   EXPECT_EQ(*results.value("failed"), Value(false));
   const Table& scenes = *results.table("scenes");
   EXPECT_EQ(scenes[scenes.rows.size() - 1].number("number"), 60);
   EXPECT_GT(scenes[scenes.rows.size() - 1].number("matched"), 100);
   EXPECT_EQ(results.table("quiet-speeds")->rows.size(), 12U);
-  const auto page = report::page_source(report::page_template("verification"));
-  const std::string text = terminal_text(page, results);
+  const std::string text = study_page("verification", results).terminal;
   EXPECT_THAT(text, HasSubstr("No count called certain is wrong.\n"));
   EXPECT_THAT(text, Not(HasSubstr("WRONG")));
-}
-
-TEST(Verification, RefusesNumbersThatMakeNoSense) {
   EXPECT_THROW(verification_study({.scenes = 0}), InputError);
 }
 

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "problems/carrier_track/check/integrator.h"
-#include "problems/carrier_track/suite/machine.h"
+#include "problems/carrier_track/scene/scene_values.h"
+#include "tests/carrier_track/models/brute_force.h"
 #include "tests/support/scenes.h"
 
 namespace ricochet::carrier_track {
@@ -21,13 +24,15 @@ inline Integrator find_integrator(const std::string& name) {
   throw std::invalid_argument("no integrator " + name);
 }
 
-/// Those whose control is `control`.
-inline std::vector<Integrator> integrators_by(const std::string& control) {
-  std::vector<Integrator> chosen;
-  for (const Integrator& integrator : all_integrators()) {
-    if (integrator.setting == control) chosen.push_back(integrator);
-  }
+/// Those with this kind of setting.
+inline std::vector<Integrator> integrators_by(const std::string& setting) {
+  std::vector<Integrator> chosen = all_integrators();
+  std::erase_if(chosen, [&](const Integrator& i) { return i.setting != setting; });
   return chosen;
+}
+
+inline bool steps_evenly(const Integrator& integrator) {
+  return integrator.setting == by_step;
 }
 
 /// A finished run.
@@ -42,21 +47,47 @@ inline Outcome reference(const Scene& scene) {
   return run(find_integrator("event-driven"), scene, 0.0);
 }
 
+/// Calls `look(outcome, integrator)` for a finished run of each integrator with hard walls.
+template <class Look>
+void for_each_run(const Scene& scene, double step, double tolerance, const Look& look) {
+  for (const Integrator& integrator : all_integrators()) {
+    if (integrator.setting == by_depth) continue;
+    SCOPED_TRACE(integrator.name);
+    look(run(integrator, scene, steps_evenly(integrator) ? step : tolerance), integrator);
+  }
+}
+
+/// The largest difference of the times [s] of fast impacts, those that the scene counts, and their
+/// partners. These are on the same wall, no further apart than half the mean time between the
+/// reference's fast impacts, and at least half as fast as what counts, so that an impact just above
+/// the limit still has one that is slightly slower. Nothing if an impact of either has none.
+inline std::optional<double> time_error(const Scene& scene, const Outcome& outcome,
+                                        const Outcome& reference) {
+  const double window = 0.5 * duration_of(scene) / std::max(collisions(scene, reference), 1);
+  double largest = 0;
+  const auto are_paired = [&](const Outcome& these, const Outcome& those) {
+    const std::vector<Impact> partners = faster(those.impacts, 0.5 * scene.counting_limit);
+    auto next = partners.begin();
+    for (const Impact& impact : faster(these.impacts, scene.counting_limit)) {
+      next = std::find_if(next, partners.end(), [&](const Impact& partner) {
+        return partner.wall == impact.wall && std::abs(partner.time - impact.time) <= window;
+      });
+      if (next == partners.end()) return false;
+      largest = std::max(largest, std::abs((next++)->time - impact.time));
+    }
+    return true;
+  };
+  if (!are_paired(outcome, reference) || !are_paired(reference, outcome)) return std::nullopt;
+  return largest;
+}
+
 inline Scene paper_scene(const std::string& id, double omega) {
-  Scene scene = scene_of(find_case(id), exploratory_scene());
-  scene.omega = omega;
-  return scene;
+  return at_speed(scene_of(find_case(id), exploratory_scene()), omega);
 }
 
 /// A ball dropped from 50 m on a floor at 0: its impacts are a geometric series.
 inline Scene bouncing_ball() {
-  Scene scene;
-  scene.wall_upper = infinity;
-  scene.start_position = 50.0;
-  scene.pull = 9.8;
-  scene.restitution_lower = 0.8;
-  scene.window = Seconds{40.0};
-  return scene;
+  return with(falling_ball(50, 9.8, 0.8), set::seconds(40));
 }
 
 /// Time [s] of impact k = 0, 1, ... of the bouncing ball.
@@ -68,14 +99,8 @@ inline double bounce_time(std::size_t k) {
 
 /// A block that slides to and fro, 1 m from each wall, with friction 0.25 x 2 N on 0.8 kg.
 inline Scene block() {
-  Scene scene;
-  scene.wall_lower = -1.0;
-  scene.wall_upper = 1.0;
-  scene.start_position = 0.0;
-  scene.mass = 0.8;
-  scene.friction = 0.25;
-  scene.normal_force = 2.0;
-  return scene;
+  return with(Scene{}, set::walls(-1, 1), set::start_position(0), set::mass(0.8),
+              set::friction(0.25), set::normal_force(2));
 }
 inline constexpr double block_friction = 0.25 * 2.0 / 0.8;  // [m/s^2]
 
@@ -84,15 +109,9 @@ inline constexpr double block_friction = 0.25 * 2.0 / 0.8;  // [m/s^2]
 inline Scene shaken_gap() {
   const double amplitude = 2e-4;                         // [m]
   const double frequency = 2 * std::numbers::pi * 10.0;  // [rad/s]
-  Scene scene;
-  scene.wall_upper = 5 * amplitude;
-  scene.restitution_lower = scene.restitution_upper = 0.5;
-  scene.disturbance = amplitude * frequency * frequency;
-  scene.disturbance_frequency = frequency;
-  scene.start_position = 0.5e-3;
-  scene.start_velocity = 0.03;
-  scene.window = Seconds{2.0};
-  return scene;
+  return with(Scene{}, set::wall_upper(5 * amplitude), set::restitution(0.5),
+              set::disturbance(amplitude * frequency * frequency),
+              set::disturbance_frequency(frequency), set::start(0.5e-3, 0.03), set::seconds(2));
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "problems/carrier_track/check/random_scenes.h"
+#include "problems/carrier_track/counting/count.h"
+#include "ricochet/error.h"
+#include "src/live/count_there.h"
+#include "src/live/flat_scene.h"
+#include "src/live/machine_file.h"
+#include "tests/support/numbers.h"
+#include "tests/support/refusals.h"
+
+/// A machine as the live page has it: as numbers, as a file, and its count.
+namespace ricochet::live {
+namespace {
+
+using carrier_track::RandomScenes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::size_t place_of(const std::string& key) {
+  const std::vector<FlatField> fields = flat_fields();
+  const auto at = std::ranges::find(fields, key, &FlatField::key);
+  EXPECT_NE(at, fields.end()) << key;
+  return static_cast<std::size_t>(at - fields.begin());
+}
+
+TEST(FlatScene, ComesBackAsTheSameFile) {
+  RandomScenes random(5);
+  for (int k = 0; k < 200; ++k) {
+    Scene scene = random.next();
+    if (k % 3 == 0) scene.contact_speed = 0.25;
+    const std::vector<double> numbers = numbers_of(scene);
+    EXPECT_EQ(numbers.size(), flat_fields().size());
+    EXPECT_EQ(write_scene(scene_of(numbers)), write_scene(scene));
+  }
+}
+
+TEST(FlatScene, HasANameUnitAndChoicesForEachNumber) {
+  const std::vector<FlatField> fields = flat_fields();
+  const FlatField& mass = fields[place_of("mass")];
+  EXPECT_EQ(mass.table + " " + mass.unit + " " + mass.range, "scene kg > 0");
+  EXPECT_THAT(mass.choices, IsEmpty());
+  EXPECT_THAT(fields[place_of("centrifugal")].choices,
+              ElementsAre("projected", "inward", "outward"));
+  EXPECT_THAT(fields[place_of("contact_friction")].choices, ElementsAre("false", "true"));
+  EXPECT_EQ(fields[place_of("restitution_upper")].range, "0..1");
+  EXPECT_EQ(fields[place_of("seconds")].table, "window");
+}
+
+TEST(FlatScene, RefusesWhatIsNoMachine) {
+  const std::vector<double> valid = numbers_of(Scene{});
+  const auto with = [&](const std::string& key, double x) {
+    std::vector<double> numbers = valid;
+    numbers[place_of(key)] = x;
+    return numbers;
+  };
+  EXPECT_NO_THROW(scene_of(valid));
+  expect_refusals<InputError, std::vector<double>>(
+      scene_of, {{with("mass", -1), "mass"},
+                 {with("mass", quiet_nan), "mass"},
+                 {with("rule", 2), "rule"},
+                 {with("pull_rotates", quiet_nan), "pull_rotates"},
+                 {with("seconds", quiet_nan), "window"},
+                 {with("revolutions", 1), "window"}});
+}
+
+TEST(MachineFile, HasTheNumbersOfTheScene) {
+  RandomScenes random(6);
+  for (int k = 0; k < 20; ++k) {
+    const Scene scene = random.next();
+    const MachineFile file = machine_file(write_scene(scene), "own.toml");
+    EXPECT_EQ(write_scene(scene_of(file.numbers)), write_scene(scene));
+    EXPECT_THAT(file.notes, IsEmpty());
+  }
+}
+
+TEST(MachineFile, NotesWhatThePageLeavesOut) {
+  std::string text = write_scene(Scene{});
+  const std::string mass = "\nmass = ";
+  const std::size_t begin = text.find(mass) + mass.size();
+  text.replace(begin, text.find('\n', begin) - begin, "{ value = 2, plus_minus = 0.5 }");
+  EXPECT_THAT(machine_file(text, "own.toml").notes,
+              ElementsAre("scene.mass is uncertain in the file: taken at its value, 2"));
+  Scene scene;
+  scene.across.emplace();
+  EXPECT_THAT(machine_file(write_scene(scene), "own.toml").notes,
+              ElementsAre(HasSubstr("[across] is left out")));
+}
+
+TEST(MachineFile, RefusesWhatThePageCannotShow) {
+  Scene scene;
+  scene.profile = {{0, 0}, {1, 6}};
+  expect_refusals(
+      [](const std::string& text) { return machine_file(text, "own.toml"); },
+      {{write_scene(scene), "own.toml: scene.omega is a profile"},
+       {"[scene]\nmas = 1\n[window]\nseconds = 1\n", "own.toml: there is no key scene.mas"}});
+}
+
+TEST(CountThere, IsTheObjective) {
+  RandomScenes random(8);
+  int collisions = 0;
+  for (int k = 0; k < 500; ++k) {
+    Scene scene = random.next();
+    if (k % 5 == 0) scene.rule = carrier_track::CountRule::peaks;
+    const int count = count_there(scene);
+    EXPECT_EQ(count, objective(scene, 0.0));
+    collisions += count;
+  }
+  EXPECT_GT(collisions, 2000);
+}
+
+}  // namespace
+}  // namespace ricochet::live

@@ -1,1 +1,0 @@
-extern "C" const int ricochet_plugout = 1;

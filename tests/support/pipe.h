@@ -50,6 +50,14 @@ class Pipe {
   int ends_[2] = {-1, -1};
 };
 
+/// Whether terminals can be made here: not so in a bare chroot, without /dev/pts.
+inline bool has_terminals() {
+  int ours = -1, terminal = -1;
+  if (openpty(&ours, &terminal, nullptr, nullptr, nullptr) != 0) return false;
+  close(ours), close(terminal);
+  return true;
+}
+
 /// What `work` writes to standard error where that is a terminal of so many columns; 0: of unknown
 /// width.
 template <class Work>

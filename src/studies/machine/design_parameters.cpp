@@ -62,10 +62,11 @@ std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
        }}};
   if (std::isfinite(scene.wall_upper)) {
     const double clearance = clearance_of(scene);
-    all.push_back({"clearance", "mm", clearance / 2, clearance, 2 * clearance,
-                   [](const Scene& turned, double value) {
-                     return scaled(turned, "clearance", value / clearance_of(turned));
-                   }});
+    all.push_back(
+        {"clearance", "mm", clearance / 2, clearance, 2 * clearance,
+         [](Scene turned, double value) {  // NOLINT(performance-unnecessary-value-param): one type
+           return scaled(turned, "clearance", value / clearance_of(turned));
+         }});
   }
   const double force = std::max(std::abs(scene.pull), friction * scene.normal_force);
   const double most = scene.disturbance != 0 ? 2 * scene.disturbance : force;

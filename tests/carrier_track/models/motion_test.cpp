@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -91,6 +92,81 @@ TEST(Motion, IsContinuousButForTheImpactsItTells) {
     ASSERT_NEAR(watched.end.time, duration_of(scene), 1e-14);
     ASSERT_NEAR(watched.end.position, position, 1e-15 * (2e-2 + std::abs(position)));
     ASSERT_NEAR(watched.end.velocity, velocity, 1e-14);
+  });
+}
+
+TEST(Motion, BalancesItsEnergy) {
+  // Kinetic energy = work of the applied force - friction - what the impacts take.
+  for_random(13, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
+    const auto watched = watch(scene);
+    double energy = 0.5 * scene.mass * scene.start_velocity * scene.start_velocity;
+    double turnover = energy;
+    for (const auto& s : watched.stretches) {
+      const auto power = [&](double t) {
+        const double velocity = s.flight.at(t).velocity;
+        return force_of_plate(scene, s.time + t) * velocity -
+               scene.friction * scene.normal_force * std::abs(velocity);
+      };
+      const int panels = 1 + static_cast<int>(s.duration * 40);
+      for (int k = 0; k < panels; ++k) {
+        const double work = boost::math::quadrature::gauss<double, 15>::integrate(
+            power, s.duration * k / panels, s.duration * (k + 1) / panels);
+        energy += work;
+        turnover += std::abs(work);
+      }
+    }
+    for (const auto& hit : watched.hits) {
+      const double e =
+          hit.wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene);
+      energy -= 0.5 * scene.mass * (1 - e * e) * hit.speed * hit.speed;
+    }
+    const double left = 0.5 * scene.mass * watched.end.velocity * watched.end.velocity;
+    ASSERT_NEAR(left, energy, 1e-12 * turnover + 1e-18);
+  });
+}
+
+/// The scene seen from the other side: x -> -x.
+Scene mirrored(const Scene& scene) {
+  Scene mirror = with(scene, set::walls(-scene.wall_upper, -scene.wall_lower),
+                      set::start(-scene.start_position, -scene.start_velocity),
+                      set::phase(scene.phase + std::numbers::pi),  // turns every force that turns
+                      set::disturbance(-scene.disturbance));
+  std::swap(mirror.restitution_lower, mirror.restitution_upper);
+  if (!scene.pull_rotates) mirror.pull = -scene.pull;
+  if (scene.centrifugal == Centrifugal::inward) mirror.centrifugal = Centrifugal::outward;
+  if (scene.centrifugal == Centrifugal::outward) mirror.centrifugal = Centrifugal::inward;
+  return mirror;
+}
+
+TEST(Motion, IsMirroredInAMirroredScene) {
+  for_random(14, trials, [](RandomScenes& draws) {
+    const Scene scene = draws.next();
+    if (!std::isfinite(scene.wall_upper)) return;
+    expect_hits(distinct(watch(mirrored(scene)).hits), distinct(watch(scene).hits), 1e-7, 1e-6,
+                true);
+  });
+}
+
+TEST(Motion, GoesOnFromWhereItWasCut) {
+  for_random(17, trials, [](RandomScenes& draws) {
+    // A disturbance would need a phase to go on with.
+    Scene scene = with(draws.next(), set::disturbance_frequency(0.0));
+    const double window = duration_of(scene);
+    scene.window = Seconds{window};
+    const auto whole = distinct(watch(scene).hits);
+    const double cut = draws.within(0.1, 0.9) * window;
+    scene.window = Seconds{cut};
+    const auto first = watch(scene);
+    auto parts = distinct(first.hits);
+    const Scene rest =
+        with(scene, set::start(first.end.position, first.end.velocity),
+             set::phase(scene.phase + scene.omega * cut), set::seconds(window - cut));
+    for (auto hit : distinct(watch(rest).hits)) {
+      hit.time += cut;
+      parts.push_back(hit);
+    }
+    expect_hits(parts, whole, 1e-7, 1e-6);
   });
 }
 

@@ -130,6 +130,7 @@ TEST(Forecast, SharesAllButThePagesAmongCores) {
 }
 
 TEST(Forecast, ShowsItsProgressOnATerminal) {
+  if (!has_terminals()) GTEST_SKIP() << "there is no /dev/pts";
   EXPECT_THAT(shown_on_terminal([] { foretold(0, 0, "budgets = 2"); }),
               testing::HasSubstr("timing problems"));
 }

@@ -1,0 +1,45 @@
+# Tests that take more than three seconds of a core, or wait as long, each with quick ones beside it; ./ricochet test leaves them
+# out, ./ricochet test --all does not.
+set(RICOCHET_SLOW_TESTS
+  # the machine: exhaustive scans, brute force, long simulations
+  BruteForce.* PlanarBruteForce.* HostileScene.WithMoreThanAMillionStepsIsGivenUp *WithAnImpossibleControlEnds*
+  *HasTheThresholdOfAnExhaustiveScan* Staircase.DoesNotHangOnWhereTheScanEnds
+  Regimes.MissNoneThatAnEvenScanFinds Regimes.AreNotCertainAmongIrregularMotions
+  Regimes.CountWhatFewPhasesOfADisturbanceHave
+  ShapeDerivatives.OfSecondOrderAreThoseOfDualNumbers Race.HasTheSuitesSolutionAsItsGoalWhateverTheSeed
+  HockSchittkowskiTolerance.*
+  # solvers
+  Varied.AsksForTheSame* Varied.MakesAnotherRunWithEveryOption Varied.RefusesWhatThisIpoptWasBuiltWithout
+  *DeclaredCapabilities.*/dlib_global_search Plugin.IsRefusedWhereLoadingItNeverEnds
+  *DirectComparison*/ipopt* *AtLimitContract*/continuation_ipopt_tuned *DerivativeIsNotFinite/ipopt_tuned
+  LineProgram.IsReportedWhileItIsWaitedForNoLongerThanItIsTold
+  # stores
+  ArchiveFile.IsRefusedIfAStrangerMadeItOtherwise
+  # studies
+  IdentifiedMachine.IsFoundThroughFaultsOfTheMeasurement IdentifiedMachine.SaysWhatARecordContradicts
+  ReproductionResults.* Results.*
+  # commands
+  Bench.* CampaignCommands.LoseNothingWhereverTheyAreKilled CampaignCommands.KeepAMachineOfTheUsersInTheStore
+  EditedSolver.* Golden.IsWhatIsPrinted/export Identify.HasNoIntervals* Identify.FindsTheMachineOfTheExample
+  Main.NeedsNoStandardError Main.SendsEscapesOnlyToATerminalThatTakesThem DailyUse.NoticesThatItsFolderIsGone
+  Reproduce.WritesAReportThatStandsAlone Simulators.ComparesAToolOfOnesOwn
+  StrangersFolder.IsNoSiteWhereItsPagesAreLinks StrangersFolder.IsWrittenOnlyAsFilesOfItsOwn
+  StrangersFolder.IsNoPlaceToGoOnWhereItsFilesAreLinks
+  TimeLimit.SaysWhatSimulationAloneTellsOfTheRest TimeLimit.SaysInJsonWhatIsNotComplete Verify.*)
+
+# Suites whose tests share results that take seconds: one process.
+set(RICOCHET_TESTS_TOGETHER ReproductionResults.* Results.*)
+
+# What the sanitizers do without, beside these: endless and repeated runs, whose parts are tested too.
+set(RICOCHET_TESTS_NOT_SANITIZED
+  *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds HardSearch.JudgesAMachineAsItsFileSays
+  Collisions.SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps
+  *HasConverged/nlopt_direct* *DerivativeIsNotFinite/ipopt_* *DerivativeIsNotFinite/continuation_*
+  *DeclaredCapabilities.* *GivesTheSameTraceForTheSameRun* *GivesTheSameTracesInTwoThreads*
+  Varied.GivesIpoptItsOwnOptions */dlib_global_search *StaysInBoxes*/*ipopt* *Adapters.ReachTheseOptima/ipopt
+  QuietSpeed.IsTheEndOfTwoCollisionsATurnInTheLongRun
+  *AsksTheSameWhereverItsMemoryLies/*ipopt* *SpendsItsBudgetAndNoMore/*ipopt*
+  MachineGrid.AsksOfEveryCombinationWhatItSays Varied.TellsWhatIsUsual
+  Continuation.FindsTheEndOfAPlateauThatItsSolverMisses
+  QuietRule.GivesTheWindowTheBorderOfTheLongRun Regimes.HaveBordersThatLongSimulationsBracket
+  Regimes.OfADisturbedMachineBeginAgainAfterABorder)

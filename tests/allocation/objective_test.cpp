@@ -1,8 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <new>
-#include <string>
-
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/scene/scene_fields.h"
@@ -11,6 +6,7 @@
 #include "tests/allocation/allocations.h"
 #include "tests/support/problems.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,16 +1,9 @@
 #include "src/analysis/outcomes.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
 #include "tests/analysis/held_campaign.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::comparison {
 namespace {

@@ -1,18 +1,7 @@
 #include "src/analysis/rating.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/analysis/held_campaign.h"
+#include "tests/support/test.h"
 
 namespace ricochet::comparison {
 namespace {

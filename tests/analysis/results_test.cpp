@@ -1,16 +1,10 @@
 #include "src/analysis/results.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <optional>
-
 #include "ricochet/error.h"
 #include "tests/analysis/held_campaign.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::comparison {
 namespace {

@@ -1,15 +1,6 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "src/core/files.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 namespace ricochet::cli {
 namespace {

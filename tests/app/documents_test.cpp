@@ -1,20 +1,11 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <map>
 #include <regex>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "src/experiment/plan.h"
 #include "tests/app/tool.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 /// What the documents say of machine files and plans.
 namespace ricochet::cli {

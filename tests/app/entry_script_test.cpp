@@ -1,14 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
 
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// The script that builds and calls the program, on a checkout of nothing but itself. What it calls
 /// are stand-ins that write down how they were called.

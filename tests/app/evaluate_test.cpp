@@ -1,10 +1,5 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 namespace ricochet::cli {
 namespace {

@@ -1,17 +1,8 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <chrono>
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
 #include "src/core/files.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// Folders that go away, that others work in, or in which somebody put links, pipes and the like
 /// where ricochet reads and writes; and commands that are interrupted.

@@ -1,16 +1,10 @@
 #include "tests/support/golden.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "tests/app/tool.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// What commands print: tests/golden/*.txt have a line "$ command" for each, indented below it what
 /// it writes on standard output, after "!" what it writes on standard error, and after "=" its exit

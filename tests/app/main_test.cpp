@@ -1,15 +1,6 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "tests/app/tool.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// What every command owes its user: help, streams, colours, names to complete.
 namespace ricochet::cli {

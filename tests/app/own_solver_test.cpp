@@ -1,20 +1,10 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// Solvers that a user brings along, by the examples; and the programs among them.
 namespace ricochet::cli {

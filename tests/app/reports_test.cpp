@@ -1,15 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sched.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// Commands whose result is a report: those of the studies, and those that draw reports again.
 namespace ricochet::cli {

@@ -1,18 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/scene.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// One machine: simulated, checked, advised, identified.
 namespace ricochet::cli {

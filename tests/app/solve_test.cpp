@@ -1,18 +1,10 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// Problems and solvers: listed, run, compared.
 namespace ricochet::cli {

@@ -1,17 +1,8 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "src/experiment/store.h"
 #include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// What is done with the runs of a campaign: exported, archived, joined; and runs that are missing
 /// or forged.

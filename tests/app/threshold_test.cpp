@@ -1,19 +1,11 @@
 #include "problems/carrier_track/counting/threshold.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <numbers>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "tests/app/tool.h"
+#include "tests/support/test.h"
 
 /// Commands that go through the speeds of a machine: answers, limits of time, and what is known
 /// when such a limit is reached.

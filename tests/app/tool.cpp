@@ -1,15 +1,9 @@
 #include "tests/app/tool.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::cli {
 namespace {

@@ -1,14 +1,6 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace ricochet::cli {
 

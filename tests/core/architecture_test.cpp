@@ -1,19 +1,7 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-#include <map>
-#include <optional>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// CONTRIBUTING.md draws which part may include which, and which files may include a library. Here
 /// the drawing is held against the #include lines of all files.

@@ -1,16 +1,9 @@
 #include "src/core/evaluator.h"
 
-#include <gtest/gtest.h>
-
-#include <concepts>
-#include <optional>
-#include <stdexcept>
-#include <type_traits>
-#include <vector>
-
 #include "ricochet/run.h"
 #include "src/core/instance.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

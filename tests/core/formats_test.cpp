@@ -1,19 +1,10 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "src/core/csv.h"
 #include "src/core/fields.h"
 #include "src/core/toml.h"
 #include "src/core/toml_fields.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

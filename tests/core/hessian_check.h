@@ -1,11 +1,8 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ricochet/problem.h"
 #include "src/core/difference.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 

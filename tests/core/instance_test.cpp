@@ -1,13 +1,8 @@
 #include "src/core/instance.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "tests/core/hessian_check.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

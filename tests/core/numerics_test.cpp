@@ -1,15 +1,9 @@
 // Random numbers, seeds and differences.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
 #include "ricochet/random.h"
 #include "src/core/difference.h"
 #include "src/core/instance.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,20 +1,12 @@
 #include "ricochet/problem.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ricochet/run.h"
 #include "ricochet/solver.h"
 #include "src/core/evaluator.h"
 #include "tests/core/hessian_check.h"
 #include "tests/support/problems.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,27 +1,17 @@
 #include "src/core/process.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <functional>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "src/core/child_process.h"
 #include "src/core/files.h"
 #include "tests/support/pipe.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,20 +1,15 @@
 #include "src/core/progress.h"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-#include <thread>
 
 #include "ricochet/evaluator.h"
 #include "src/core/in_parallel.h"
 #include "src/core/time_limit.h"
 #include "tests/support/numbers.h"
 #include "tests/support/pipe.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

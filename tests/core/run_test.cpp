@@ -1,15 +1,8 @@
 #include "ricochet/run.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
 #include "src/core/evaluator.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

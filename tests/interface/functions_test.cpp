@@ -1,22 +1,11 @@
 // The functions of libricochet.so: those that do what the pointers of a ricochet_problem do, and
 // those of a machine, against the C++ library that they are made of.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <thread>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "ricochet/machine.h"
 #include "ricochet/problem.h"
 #include "src/core/instance.h"
 #include "tests/interface/opened.h"
+#include "tests/support/test.h"
 
 namespace ricochet::interface {
 namespace {

@@ -1,24 +1,10 @@
 // libricochet.so, from outside, against the problems it is made of.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <malloc.h>
 #include <ricochet/ricochet.h>
 
-#include <array>
-#include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <filesystem>
 #include <latch>
-#include <limits>
 #include <regex>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
@@ -27,6 +13,7 @@
 #include "tests/interface/opened.h"
 #include "tests/support/files.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::interface {
 namespace {

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <ricochet/ricochet.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "ricochet/problem.h"
 #include "src/studies/suite/suite.h"
+#include "tests/support/test.h"
 
 namespace ricochet::interface {
 

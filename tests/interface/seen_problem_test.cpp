@@ -1,14 +1,7 @@
 #include "src/core/seen_problem.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::interface {
 namespace {

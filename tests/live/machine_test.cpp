@@ -1,7 +1,3 @@
-#include <gmock/gmock.h>
-
-#include <algorithm>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "ricochet/error.h"
@@ -10,6 +6,7 @@
 #include "src/live/machine_file.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 /// A machine as the live page has it: as numbers, as a file, and its count.
 namespace ricochet::live {

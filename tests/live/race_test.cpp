@@ -1,16 +1,11 @@
 #include "src/live/race.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <optional>
-
 #include "problems/carrier_track/counting/count_scan.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "src/core/evaluator.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::live {
 namespace {

@@ -1,14 +1,3 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/suite/best_known.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/problem.h"
@@ -17,6 +6,7 @@
 #include "src/studies/paper/loss.h"
 #include "src/studies/suite/suite.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,15 +1,13 @@
 #include "src/report/chart.h"
 
-#include <gmock/gmock.h>
-
 #include <regex>
-#include <stdexcept>
 
 #include "src/report/drawing.h"
 #include "src/report/svg.h"
 #include "tests/report/pictures.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

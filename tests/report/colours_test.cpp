@@ -1,13 +1,9 @@
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
-#include <map>
 #include <regex>
 
 #include "src/report/painted.h"
 #include "tests/report/pictures.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,11 +1,8 @@
 #include "src/report/frame.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 #include "src/report/text.h"
 #include "tests/report/pictures.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,7 +1,5 @@
 #include "src/report/markdown_page.h"
 
-#include <gmock/gmock.h>
-
 #include <pugixml.hpp>
 #include <regex>
 
@@ -11,6 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/golden.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,10 +1,7 @@
-#include <gmock/gmock.h>
-
-#include <random>
-
 #include "src/report/frame.h"
 #include "src/report/svg.h"
 #include "tests/report/pictures.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

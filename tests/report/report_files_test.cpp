@@ -1,15 +1,13 @@
 #include "src/report/report_files.h"
 
-#include <gmock/gmock.h>
-
 #include <regex>
-#include <stdexcept>
 
 #include "ricochet/error.h"
 #include "src/report/report.h"
 #include "src/report/text.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,12 +1,6 @@
 #include "src/report/svg.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
 #include <regex>
-#include <set>
-#include <stdexcept>
 
 #include "src/report/drawing.h"
 #include "src/report/frame.h"
@@ -15,6 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/golden.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

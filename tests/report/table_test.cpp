@@ -1,16 +1,9 @@
 #include "src/report/table.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdlib>
-#include <random>
-
 #include "src/report/json.h"
 #include "tests/support/golden.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,13 +1,10 @@
 #include "src/report/text.h"
 
-#include <gmock/gmock.h>
-
-#include <stdexcept>
-
 #include "src/report/drawing.h"
 #include "src/report/json.h"
 #include "tests/support/files.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {

@@ -1,14 +1,7 @@
 // The solvers of NLopt, pagmo, dlib, Ipopt and Ceres's L-BFGS: what they reach, and what is special
 // of each.
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <malloc.h>
-
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "problems/classic/functions.h"
 #include "solvers/library_solvers.h"
@@ -16,6 +9,7 @@
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

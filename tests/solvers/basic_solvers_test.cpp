@@ -1,15 +1,9 @@
 // Random search, scan, bisection, golden section, and continuation.
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "solvers/library_solvers.h"
 #include "src/core/instance.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

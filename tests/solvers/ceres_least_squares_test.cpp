@@ -1,10 +1,6 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-
 #include "solvers/library_solvers.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

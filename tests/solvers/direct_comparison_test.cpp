@@ -2,18 +2,10 @@
 // the same starts with the same budget, without restarts. The caller works in the problem's own
 // coordinates and leaves to the library what the adapter gives no reason to change.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

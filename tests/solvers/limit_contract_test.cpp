@@ -1,18 +1,10 @@
 // What a solver returns when its budget ends within a search: what its library returns if it is
 // called directly with a limit of its own, or the best evaluated point.
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "src/core/instance.h"
 #include "tests/solvers/direct_calls.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,15 +1,8 @@
 // What solvers promise of constraints, of derivatives that are not finite, and of what they declare
 // to need.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

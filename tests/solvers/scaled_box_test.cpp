@@ -1,12 +1,7 @@
 #include "solvers/scaled_box.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,18 +1,7 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/classic/classic.h"
@@ -22,6 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/support/problems.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 /// Ways to call a solver, and to look at what it did.
 namespace ricochet {

@@ -1,20 +1,12 @@
 // What every solver promises, whatever is behind it.
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
 #include <future>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/outside/line_solver.h"
 #include "tests/solvers/solve.h"
 #include "tests/support/golden.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,14 +1,11 @@
-#include <gtest/gtest.h>
 #include <malloc.h>
 
 #include <Eigen/Cholesky>
 #include <csignal>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 #include "solvers/library_solvers.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,19 +1,9 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <optional>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "solvers/adjustable_solver.h"
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <gmock/gmock.h>
-
-#include <map>
-#include <stdexcept>
-#include <string>
-
 #include "src/report/markdown_page.h"
 #include "src/report/report.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies {
 

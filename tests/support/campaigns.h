@@ -1,18 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "ricochet/error.h"
 #include "src/core/instance.h"
 #include "src/experiment/campaign.h"
@@ -20,6 +7,7 @@
 #include "src/experiment/store.h"
 #include "tests/support/numbers.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 /// Made-up problems, solvers, plans and campaigns, and runs with anything that a store must keep.
 namespace ricochet {

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <string>
-#include <string_view>
+#include "tests/support/test.h"
 
 namespace ricochet {
 

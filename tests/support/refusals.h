@@ -1,12 +1,7 @@
 #pragma once
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "ricochet/error.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 

@@ -1,15 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/experiment/stored_campaign.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

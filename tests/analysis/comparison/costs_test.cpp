@@ -1,18 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "src/analysis/comparison/family.h"
 #include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "tests/analysis/comparison/made_up_results.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -1,20 +1,10 @@
 #include "src/analysis/comparison/leaders.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "src/analysis/comparison/profiles.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

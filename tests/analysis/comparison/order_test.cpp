@@ -1,15 +1,8 @@
 #include "src/analysis/comparison/order.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "src/analysis/comparison/family.h"
 #include "tests/analysis/comparison/made_up_results.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

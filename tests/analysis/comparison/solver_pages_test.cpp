@@ -1,18 +1,11 @@
 #include "src/analysis/comparison/solver_pages.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <string>
-
 #include "ricochet/solver.h"
 #include "src/analysis/comparison/leaders.h"
 #include "src/analysis/comparison/order.h"
 #include "src/analysis/comparison/sections.h"
 #include "tests/analysis/comparison/made_up_results.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

@@ -1,13 +1,5 @@
 #include "src/analysis/comparison/study.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <set>
-#include <string>
-#include <vector>
-
 #include "problems/classic/classic.h"
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
@@ -17,6 +9,7 @@
 #include "src/report/report.h"
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

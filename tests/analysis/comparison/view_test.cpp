@@ -1,18 +1,8 @@
 #include "src/analysis/comparison/view.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/analysis/comparison/made_up_results.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {

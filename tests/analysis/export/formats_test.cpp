@@ -1,17 +1,10 @@
 #include "src/analysis/export/formats.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <nlohmann/json.hpp>
-
 #include "src/analysis/export/output.h"
 #include "src/report/table.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::exports {
 namespace {

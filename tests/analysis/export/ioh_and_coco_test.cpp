@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <regex>
-#include <set>
-#include <utility>
 
 #include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::exports {
 namespace {

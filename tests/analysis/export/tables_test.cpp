@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <memory>
-
 #include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
+#include "tests/support/test.h"
 
 namespace ricochet::exports {
 namespace {

@@ -1,17 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <string>
-#include <vector>
 
 #include "ricochet/random.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/ranking.h"
 #include "src/analysis/statistics/running_time.h"
+#include "tests/support/test.h"
 
 /// How often each interval of 95 % holds the true value, where the true value is known.
 namespace ricochet {

@@ -1,17 +1,9 @@
 #include "src/analysis/statistics/hypothesis_tests.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
 #include "ricochet/random.h"
 #include "src/analysis/statistics/ranking.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

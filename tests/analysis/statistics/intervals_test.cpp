@@ -1,15 +1,8 @@
 #include "src/analysis/statistics/intervals.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "ricochet/random.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,19 +1,8 @@
 #include "src/analysis/statistics/ranking.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <optional>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "ricochet/random.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

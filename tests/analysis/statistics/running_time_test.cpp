@@ -1,16 +1,11 @@
 #include "src/analysis/statistics/running_time.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "ricochet/random.h"
 #include "src/analysis/statistics/break_even.h"
 #include "src/analysis/statistics/intervals.h"
 #include "src/analysis/statistics/profiles.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,13 +1,5 @@
 #include "problems/carrier_track/counting/quiet_speed.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <tuple>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -17,6 +9,7 @@
 #include "ricochet/machine.h"
 #include "tests/carrier_track/counting/held_scene.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

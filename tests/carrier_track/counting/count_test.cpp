@@ -1,14 +1,5 @@
 #include "problems/carrier_track/counting/count.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count_scan.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -17,6 +8,7 @@
 #include "tests/carrier_track/counting/held_scene.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,17 +1,12 @@
 #include "problems/carrier_track/counting/recording.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <tuple>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "ricochet/error.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

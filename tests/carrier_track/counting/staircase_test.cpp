@@ -1,19 +1,11 @@
 #include "problems/carrier_track/counting/staircase.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "ricochet/random.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

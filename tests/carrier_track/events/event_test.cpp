@@ -1,14 +1,7 @@
 #include "problems/carrier_track/motion/event.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <random>
-
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,11 +1,10 @@
 #include "problems/carrier_track/motion/flight.h"
 
 #include <ceres/jet.h>
-#include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <random>
+
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

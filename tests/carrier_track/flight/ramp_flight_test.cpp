@@ -1,16 +1,15 @@
 #include "problems/carrier_track/motion/ramp_flight.h"
 
 #include <ceres/jet.h>
-#include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/motion/profile_forces.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

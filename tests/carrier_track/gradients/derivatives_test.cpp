@@ -1,13 +1,5 @@
 #include "problems/carrier_track/gradients/derivatives.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/scene/scene_values.h"
@@ -16,6 +8,7 @@
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "ricochet/problem.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 

@@ -1,22 +1,12 @@
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <initializer_list>
-#include <numeric>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/profile.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,17 +1,9 @@
 #include "problems/carrier_track/identification/knock_loss.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "problems/carrier_track/identification/knock_problem.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/identification/synthetic_knocks.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

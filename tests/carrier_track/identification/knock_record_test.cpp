@@ -1,21 +1,12 @@
 #include "problems/carrier_track/identification/knock_record.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "ricochet/machine.h"
 #include "tests/carrier_track/identification/synthetic_knocks.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

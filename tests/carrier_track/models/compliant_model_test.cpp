@@ -1,13 +1,6 @@
 #include "problems/carrier_track/motion/compliant_model.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
-#include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
@@ -17,6 +10,7 @@
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

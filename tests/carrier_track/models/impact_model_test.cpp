@@ -1,18 +1,14 @@
 #include "problems/carrier_track/motion/impact_model.h"
 
 #include <ceres/jet.h>
-#include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 #include "problems/carrier_track/scene/scene_values.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,21 +1,12 @@
 #include "problems/carrier_track/motion/lanes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/motion/lane_flight.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

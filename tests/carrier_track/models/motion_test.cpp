@@ -1,14 +1,4 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
@@ -19,6 +9,7 @@
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 /// What holds of every motion, shown on thousands of random scenes.
 namespace ricochet::carrier_track {

@@ -1,17 +1,10 @@
 #include "problems/carrier_track/motion/planar_model.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,16 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <type_traits>
-#include <vector>
-
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/motion/simulate.h"
 #include "ricochet/machine.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 

@@ -1,21 +1,11 @@
 #include "problems/carrier_track/regimes/border.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/regimes/border_curve.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/regimes/machines.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

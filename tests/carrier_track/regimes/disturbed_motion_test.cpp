@@ -1,20 +1,9 @@
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "problems/carrier_track/regimes/phase_tip.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "tests/carrier_track/regimes/machines.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,20 +1,12 @@
 #include "problems/carrier_track/regimes/regime_map.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <vector>
-
 #include "problems/carrier_track/regimes/basins.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "ricochet/evaluator.h"
 #include "ricochet/random.h"
 #include "tests/carrier_track/regimes/machines.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

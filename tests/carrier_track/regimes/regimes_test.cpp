@@ -1,18 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "tests/carrier_track/regimes/machines.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,10 +1,6 @@
 #include "problems/carrier_track/scene/contact_law.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <vector>
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

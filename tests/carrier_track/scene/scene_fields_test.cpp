@@ -1,22 +1,11 @@
 #include "problems/carrier_track/scene/scene_fields.h"
 
 #include <ceres/jet.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <concepts>
-#include <cstddef>
-#include <map>
-#include <numbers>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,20 +1,11 @@
 #include "problems/carrier_track/scene/scene_file.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <numbers>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,22 +1,12 @@
 #include "problems/carrier_track/scene/scene_values.h"
 
 #include <ceres/jet.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <initializer_list>
-#include <numbers>
-#include <random>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,12 +1,3 @@
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <random>
-
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/design.h"
 #include "problems/carrier_track/suite/machine.h"
@@ -15,6 +6,7 @@
 #include "src/core/instance.h"
 #include "tests/support/numbers.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

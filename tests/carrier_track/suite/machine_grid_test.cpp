@@ -1,12 +1,3 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -18,6 +9,7 @@
 #include "ricochet/machine.h"
 #include "ricochet/run.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,19 +1,12 @@
 #include "problems/carrier_track/suite/machine.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <variant>
-
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/machine.h"
 #include "tests/support/refusals.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

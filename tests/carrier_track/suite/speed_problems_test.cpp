@@ -1,13 +1,5 @@
 #include "problems/carrier_track/suite/speed_problems.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <stdexcept>
-
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/best_known.h"
 #include "problems/carrier_track/suite/machine.h"
@@ -20,6 +12,7 @@
 #include "tests/support/problems.h"
 #include "tests/support/refusals.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,16 +1,8 @@
 #include "src/experiment/campaign.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <optional>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "tests/support/campaigns.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,19 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ricochet/evaluator.h"
 #include "src/core/time_limit.h"
 #include "src/experiment/planned_runs.h"
 #include "tests/support/campaigns.h"
 #include "tests/support/pipe.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

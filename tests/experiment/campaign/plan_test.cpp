@@ -1,17 +1,8 @@
 #include "src/experiment/plan.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

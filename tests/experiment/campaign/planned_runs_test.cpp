@@ -1,20 +1,9 @@
 #include "src/experiment/planned_runs.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <limits>
-#include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-
 #include "src/experiment/worker.h"
 #include "tests/support/campaigns.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

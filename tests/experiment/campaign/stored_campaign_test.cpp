@@ -1,17 +1,10 @@
 #include "src/experiment/stored_campaign.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <memory>
-#include <set>
-#include <string>
-
 #include "src/experiment/archive.h"
 #include "src/experiment/archived_campaign.h"
 #include "src/experiment/planned_runs.h"
 #include "tests/experiment/store/stored.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,28 +1,18 @@
 #include "src/experiment/worker.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <memory>
-#include <new>
-#include <stdexcept>
-#include <thread>
-#include <vector>
 
 #include "src/core/files.h"
 #include "tests/support/campaigns.h"
 #include "tests/support/files.h"
 #include "tests/support/pipe.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,15 +1,10 @@
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <vector>
 
 #include "ricochet/run.h"
 #include "src/experiment/perturbations.h"
 #include "tests/core/hessian_check.h"
 #include "tests/experiment/perturbations/random_problem.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,21 +1,9 @@
 // Perturbations by noise, and the draws that all perturbations are made from.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <numeric>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "src/experiment/perturbations.h"
 #include "tests/experiment/perturbations/random_problem.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

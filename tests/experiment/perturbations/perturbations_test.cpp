@@ -2,20 +2,11 @@
 
 #include "src/experiment/perturbations.h"
 
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cmath>
-#include <memory>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
 #include "src/core/instance.h"
 #include "tests/experiment/perturbations/random_problem.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

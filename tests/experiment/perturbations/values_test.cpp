@@ -1,20 +1,12 @@
 // Perturbations of the values without noise: rounding, constraints, failures.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <vector>
-
 #include "ricochet/evaluator.h"
 #include "src/core/evaluator.h"
 #include "src/core/time_limit.h"
 #include "src/experiment/perturbations.h"
 #include "tests/core/hessian_check.h"
 #include "tests/experiment/perturbations/random_problem.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,17 +1,9 @@
 #include "src/experiment/archive.h"
 
 #include <SQLiteCpp/Database.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 #include "tests/experiment/store/stored.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,13 +1,7 @@
 #include "src/experiment/merge.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <utility>
-#include <vector>
-
 #include "tests/experiment/store/stored.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,27 +1,19 @@
 #include "src/experiment/store.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <memory>
-#include <numeric>
-#include <optional>
-#include <thread>
 
 #include "src/core/files.h"
 #include "src/core/progress.h"
 #include "src/experiment/run_rows.h"
 #include "tests/experiment/store/stored.h"
 #include "tests/support/pipe.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

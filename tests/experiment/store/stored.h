@@ -1,16 +1,9 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "tests/support/campaigns.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 

@@ -1,18 +1,10 @@
 #include <SQLiteCpp/Database.h>
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <filesystem>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
 #include "src/experiment/merge.h"
 #include "src/experiment/run_rows.h"
 #include "tests/experiment/store/stored.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "ricochet/run.h"
 #include "src/core/difference.h"
 #include "src/core/instance.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {

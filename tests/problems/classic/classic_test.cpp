@@ -1,19 +1,11 @@
 #include "problems/classic/classic.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "problems/classic/formula.h"
 #include "problems/classic/functions.h"
 #include "ricochet/random.h"
 #include "src/core/instance.h"
 #include "tests/problems/classic/claims.h"
+#include "tests/support/test.h"
 
 namespace ricochet::classic {
 namespace {

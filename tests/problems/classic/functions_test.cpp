@@ -1,9 +1,6 @@
 #include "problems/classic/functions.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
+#include "tests/support/test.h"
 
 namespace ricochet::classic {
 namespace {

@@ -1,20 +1,9 @@
 #include "problems/classic/hock_schittkowski.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "problems/classic/formula.h"
 #include "ricochet/run.h"
 #include "tests/problems/classic/claims.h"
+#include "tests/support/test.h"
 
 namespace ricochet::classic {
 namespace {

@@ -1,14 +1,10 @@
 #include "problems/classic/least_squares.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/QR>
-#include <cmath>
-#include <random>
-#include <vector>
 
 #include "src/core/instance.h"
 #include "tests/problems/classic/claims.h"
+#include "tests/support/test.h"
 
 namespace ricochet::classic {
 namespace {

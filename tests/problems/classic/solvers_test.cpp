@@ -1,12 +1,3 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "problems/classic/classic.h"
 #include "problems/classic/hock_schittkowski.h"
 #include "problems/classic/least_squares.h"
@@ -16,6 +7,7 @@
 #include "src/core/evaluator.h"
 #include "tests/problems/classic/claims.h"
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 /// Solvers on problems whose optima are published.
 namespace ricochet::classic {

@@ -1,9 +1,8 @@
-#include <gmock/gmock.h>
-
 #include "src/report/site/front.h"
 #include "src/report/site/machine_page.h"
 #include "src/report/site/navigation.h"
 #include "tests/report/site/made_up_reports.h"
+#include "tests/support/test.h"
 
 /// The site's own pages, and the navigation of all.
 namespace ricochet::site {

@@ -1,13 +1,12 @@
 #include "src/report/site/site.h"
 
-#include <gmock/gmock.h>
-
 #include <regex>
 
 #include "ricochet/error.h"
 #include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/report/site/made_up_reports.h"
+#include "tests/support/test.h"
 
 namespace ricochet::site {
 namespace {

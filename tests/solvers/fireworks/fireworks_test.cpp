@@ -1,14 +1,7 @@
 #include "solvers/fireworks/fireworks.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet::fireworks {
 namespace {

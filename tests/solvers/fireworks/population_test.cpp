@@ -1,15 +1,7 @@
 #include "solvers/fireworks/population.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
-#include <vector>
-
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet::fireworks {
 namespace {

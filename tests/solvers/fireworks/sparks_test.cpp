@@ -1,16 +1,7 @@
 #include "solvers/fireworks/sparks.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
-#include <stdexcept>
-#include <vector>
-
 #include "tests/support/numbers.h"
+#include "tests/support/test.h"
 
 namespace ricochet::fireworks {
 namespace {

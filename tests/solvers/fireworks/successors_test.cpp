@@ -1,18 +1,10 @@
 // dynFWA, bare-bones, loser-out and space-partitioned fireworks.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numeric>
-#include <stdexcept>
-#include <vector>
-
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "solvers/fireworks/loser_out_fireworks.h"
 #include "solvers/fireworks/partitioned_fireworks.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet::fireworks {
 namespace {

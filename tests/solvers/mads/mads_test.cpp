@@ -1,12 +1,7 @@
 #include "solvers/mads.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {

@@ -1,17 +1,9 @@
-#include <gmock/gmock.h>
 #include <signal.h>
-
-#include <chrono>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "solvers/outside/line_solver.h"
 #include "src/core/process.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet::outside {
 namespace {

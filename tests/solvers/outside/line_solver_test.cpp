@@ -1,14 +1,9 @@
 #include "solvers/outside/line_solver.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
 #include <future>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet::outside {
 namespace {

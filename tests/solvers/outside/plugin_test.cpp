@@ -1,18 +1,11 @@
 #include "solvers/outside/plugin.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <bit>
 #include <cfenv>
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include "solvers/outside/outside.h"
 #include "src/core/child_process.h"
 #include "tests/solvers/solve.h"
+#include "tests/support/test.h"
 
 namespace ricochet::outside {
 namespace {

@@ -1,11 +1,5 @@
 #include "src/studies/best_values/best_values.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <filesystem>
-#include <set>
-
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/suite/machine.h"
@@ -18,6 +12,7 @@
 #include "src/experiment/store.h"
 #include "tests/support/files.h"
 #include "tests/support/problems.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::best_values {
 namespace {

@@ -1,16 +1,9 @@
 #include "src/studies/calibration/results.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-
 #include "tests/studies/calibration/some_search.h"
 #include "tests/studies/pages.h"
 #include "tests/support/golden.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::calibration {
 namespace {

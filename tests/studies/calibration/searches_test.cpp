@@ -1,12 +1,6 @@
 #include "src/studies/calibration/searches.h"
 
-#include <gmock/gmock.h>
 #include <tbb/global_control.h>
-
-#include <cmath>
-#include <filesystem>
-#include <optional>
-#include <set>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -18,6 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::calibration {
 namespace {

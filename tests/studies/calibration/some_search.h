@@ -1,16 +1,13 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <string>
 
 #include "ricochet/solver.h"
 #include "solvers/library_solvers.h"
 #include "src/studies/calibration/results.h"
 #include "src/studies/calibration/searches.h"
 #include "src/studies/paper/interpretation.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::calibration {
 

@@ -1,11 +1,8 @@
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
 #include "ricochet/run.h"
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "src/core/instance.h"
 #include "src/studies/fireworks/study.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

@@ -1,15 +1,9 @@
 #include "src/studies/fireworks/study.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <string>
-
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/library_solvers.h"
 #include "tests/studies/pages.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

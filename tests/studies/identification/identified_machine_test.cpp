@@ -1,20 +1,12 @@
 #include "src/identification/identified_machine.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 #include "problems/carrier_track/identification/knock_problem.h"
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
 #include "src/identification/knock_fit.h"
 #include "tests/carrier_track/identification/synthetic_knocks.h"
 #include "tests/carrier_track/regimes/machines.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::identification {
 namespace {

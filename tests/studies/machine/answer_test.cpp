@@ -1,14 +1,9 @@
 #include "src/studies/machine/answer.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <string>
-
 #include "ricochet/machine.h"
 #include "src/studies/machine/regime_tables.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -1,17 +1,12 @@
 #include "src/studies/machine/charts.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "ricochet/machine.h"
 #include "tests/support/numbers.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -1,9 +1,5 @@
 #include "src/studies/machine/study.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
@@ -11,6 +7,7 @@
 #include "tests/studies/pages.h"
 #include "tests/support/numbers.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::advice {
 namespace {

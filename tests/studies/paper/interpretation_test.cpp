@@ -1,15 +1,9 @@
 #include "src/studies/paper/interpretation.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <tuple>
-
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {

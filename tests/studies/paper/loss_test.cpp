@@ -1,16 +1,11 @@
 #include "src/studies/paper/loss.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/machine.h"
 #include "src/studies/paper/interpretation.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {

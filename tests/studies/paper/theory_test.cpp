@@ -1,13 +1,8 @@
 #include "src/studies/paper/theory.h"
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "problems/carrier_track/suite/machine.h"
 #include "src/studies/paper/interpretation.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {

@@ -1,16 +1,11 @@
-#include <gmock/gmock.h>
 #include <tbb/global_control.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <map>
 
 #include "ricochet/machine.h"
 #include "src/core/files.h"
 #include "src/studies/reproduction/study.h"
 #include "tests/studies/pages.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

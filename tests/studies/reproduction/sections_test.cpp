@@ -1,11 +1,3 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/speed_problems.h"
 #include "ricochet/random.h"
@@ -13,6 +5,7 @@
 #include "src/studies/reproduction/study.h"
 #include "tests/studies/pages.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

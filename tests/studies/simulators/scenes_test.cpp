@@ -1,11 +1,5 @@
 #include "tests/support/scenes.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <set>
-#include <string>
-
 #include "problems/carrier_track/check/oracle.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/motion/forces.h"
@@ -13,6 +7,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "src/studies/simulators/suite.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::simulators {
 namespace {

@@ -1,16 +1,12 @@
 #include "src/studies/simulators/study.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <filesystem>
-
 #include "problems/carrier_track/scene/contact_law.h"
 #include "ricochet/error.h"
 #include "src/core/files.h"
 #include "src/studies/simulators/suite.h"
 #include "tests/studies/pages.h"
 #include "tests/support/files.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::simulators {
 namespace {

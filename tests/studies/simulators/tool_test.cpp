@@ -1,14 +1,8 @@
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <sstream>
-
 #include "src/core/files.h"
 #include "src/studies/simulators/suite.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::simulators {
 namespace {

@@ -1,16 +1,10 @@
-#include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <toml++/toml.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <string>
 
 #include "ricochet/evaluator.h"
 #include "src/studies/suite/suite.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,10 +1,6 @@
 #include "src/studies/surrogate/study.h"
 
-#include <gmock/gmock.h>
 #include <tbb/global_control.h>
-
-#include <cmath>
-#include <numbers>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
@@ -12,6 +8,7 @@
 #include "tests/studies/pages.h"
 #include "tests/support/problems.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,8 +1,7 @@
-#include <gmock/gmock.h>
-
 #include "ricochet/error.h"
 #include "src/studies/verification/verification.h"
 #include "tests/studies/pages.h"
+#include "tests/support/test.h"
 
 namespace ricochet::studies {
 namespace {

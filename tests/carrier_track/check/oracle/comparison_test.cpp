@@ -1,17 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/check/oracle.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/machine.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

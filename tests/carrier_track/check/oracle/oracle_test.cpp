@@ -1,17 +1,12 @@
 #include "problems/carrier_track/check/oracle.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "problems/carrier_track/check/first_fall.h"
 #include "problems/carrier_track/check/push.h"
 #include "problems/carrier_track/check/random_scenes.h"
 #include "ricochet/machine.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,9 +1,3 @@
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/check/method.h"
 #include "problems/carrier_track/check/random_scenes.h"
@@ -13,6 +7,7 @@
 #include "ricochet/machine.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {

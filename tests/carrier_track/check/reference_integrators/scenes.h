@@ -1,19 +1,10 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "problems/carrier_track/check/integrator.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 

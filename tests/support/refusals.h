@@ -27,9 +27,10 @@ struct Refusal {
 /// beside the input.
 template <class Error = InputError, class Input = std::string, class Read>
 void expect_refusals(const Read& read, const std::vector<Refusal<Input>>& refusals) {
-  for (const auto& [input, message] : refusals) {
-    EXPECT_THAT(complaint_of<Error>([&] { return read(input); }), testing::HasSubstr(message))
-        << testing::PrintToString(input);
+  for (const auto& refusal : refusals) {
+    EXPECT_THAT(complaint_of<Error>([&] { return read(refusal.input); }),
+                testing::HasSubstr(refusal.message))
+        << testing::PrintToString(refusal.input);
   }
 }
 

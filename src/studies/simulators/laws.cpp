@@ -54,7 +54,8 @@ void add_laws(report::Results& results, std::size_t stride) {
   std::vector<std::string_view> faithful;
   for (const auto& [name, law] : contact_law_names()) {
     double off = 0, simulation_off = 0;
-    report::Series& series = chart.series.emplace_back(std::string(name));
+    report::Series& series = chart.series.emplace_back();
+    series.label = name;
     for (std::size_t k = 2; k <= 98; ++k) {
       const double asked = 0.01 * static_cast<double>(k);
       const double closed = closed_return(law, asked);

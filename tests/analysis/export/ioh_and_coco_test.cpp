@@ -206,8 +206,9 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
     }
     attributes.push_back({{"formulation", "original"}});
     attributes.push_back({{"perturbation", cell.perturbation}});
-    const auto solver = std::find_if(description.solvers.begin(), description.solvers.end(),
-                                     [&](const auto& each) { return each.name == cell.solver; });
+    const auto solver =
+        std::find_if(description.solvers.begin(), description.solvers.end(),
+                     [&, &own = cell](const auto& each) { return each.name == own.solver; });
     const json head = {
         {"version", "0.3.18"},
         {"suite", "ricochet"},

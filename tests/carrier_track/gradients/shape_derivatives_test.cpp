@@ -239,8 +239,8 @@ TEST(ShapeDerivatives, AreOneSidedAtAnImpactOnAKnot) {
     double after = 2e-3;
     while (late(after) > 0) after *= 1.05;
     double before = after / 1.05;
-    for (double middle = before;
-         (middle = std::midpoint(before, after)) > before && middle < after;) {
+    while (std::nextafter(before, after) < after) {
+      const double middle = std::midpoint(before, after);
       (late(middle) > 0 ? before : after) = middle;
     }
     EXPECT_LT(std::abs(late(after)), 1e-15);

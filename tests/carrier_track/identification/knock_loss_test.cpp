@@ -255,7 +255,7 @@ TEST(KnockLoss, HasScoresOfTheExpectedSpread) {
   const Vector x = example_point(example_record());
   Vector sum = Vector::Zero(knock_unknowns), squares = sum, variance;
   for (int k = 0; k < records; ++k) {
-    const KnockRecord record = example_record({}, static_cast<std::uint64_t>(k + 1));
+    const KnockRecord record = example_record({}, static_cast<std::uint64_t>(k) + 1);
     const KnockLoss loss(knocking_machine(), record);
     Vector slopes;
     loss.at(x, 0, &slopes);

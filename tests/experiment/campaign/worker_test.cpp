@@ -194,7 +194,7 @@ struct Jobs {
   int next = 0;  // descriptors below it are open
   while (fcntl(next, F_GETFD) >= 0) ++next;
   // Enough to start a process, too few for what a solver may open there.
-  const auto few = static_cast<rlim_t>(next + 10);
+  const auto few = static_cast<rlim_t>(next) + 10;
   const rlimit limit{few, few};
   setrlimit(RLIMIT_NOFILE, &limit);
   std::fputs(complaint_of<OutputError>([&] { return jobs.run_on(1); }).c_str(), stderr);

@@ -227,8 +227,9 @@ TEST(IsotonicBound, IsThatOfAllOrderedLists) {
     LeastDistances least{vector_of(values)};
     // Every list of four numbers out of 0, 1/2, ..., 4.
     for (int code = 0; code < 9 * 9 * 9 * 9; ++code) {
-      const std::vector<double> list = {0.5 * (code % 9), 0.5 * (code / 9 % 9),
-                                        0.5 * (code / 81 % 9), 0.5 * (code / 729)};
+      const auto digit = [&](int unit) { return code / unit % 9; };
+      const std::vector<double> list = {0.5 * digit(1), 0.5 * digit(9), 0.5 * digit(81),
+                                        0.5 * digit(729)};
       if (!is_ordered(list, order)) continue;
       least.add(vector_of(list));
       // Nearest in a convex set: no other way from it leads nearer.

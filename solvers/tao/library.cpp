@@ -156,8 +156,9 @@ PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) 
   bool finite = true;
   for (PetscInt j = 0; j < n; ++j) {
     for (PetscInt i = 0; i < count; ++i) {
-      const double slope =
-          self.rows[static_cast<std::size_t>(i * n + j)] * self.scale[static_cast<std::size_t>(j)];
+      const double slope = self.rows[static_cast<std::size_t>(i) * static_cast<std::size_t>(n) +
+                                     static_cast<std::size_t>(j)] *
+                           self.scale[static_cast<std::size_t>(j)];
       columns[j * count + i] = slope;
       finite = finite && std::isfinite(slope);
     }
@@ -193,7 +194,8 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  PetscErrorCode prepare(TaoType type) {
+  // Each call may fail.
+  PetscErrorCode prepare(TaoType type) {  // NOLINT(readability-function-size)
     const auto n = static_cast<PetscInt>(asked_.size());
     PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &u_));
     PetscCall(VecDuplicate(u_, &lower_));

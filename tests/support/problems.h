@@ -22,8 +22,7 @@ inline std::string test_name(std::string name) {
 }
 
 /// How a failed test names its solver.
-inline void PrintTo(const Solver& solver,  // NOLINT(readability-identifier-naming): GoogleTest's
-                    std::ostream* stream) {
+inline void PrintTo(const Solver& solver, std::ostream* stream) {
   *stream << solver.name;
 }
 

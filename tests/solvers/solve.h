@@ -42,7 +42,7 @@ inline std::vector<std::string> reasons_of(const RunRecord& record) {
 /// What a single call of `solve`, from the problem's start, came to.
 struct Solved {
   std::string reason;
-  std::optional<Vector> point;  ///< that it handed over
+  std::optional<Vector> point;  ///< that it returned
   Ledger ledger;
   TerminationReason ended = TerminationReason::none;  ///< of the evaluator
   std::optional<Improvement> best;

@@ -232,22 +232,13 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
 
 /// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives and residuals; the optimum value is 0.
 inline Problem parabola(Eigen::Index n) {
-  Problem problem;
-  problem.name = "parabola";
+  Problem problem = box_problem("parabola", n, 0, 1, 0.5,
+                                [](const Vector& x) { return (x.array() - 0.25).square().sum(); });
   problem.source = "sum of (x_i - 1/4)^2";
-  problem.lower = Vector::Zero(n);
-  problem.upper = Vector::Ones(n);
-  problem.start = Vector::Constant(n, 0.5);
   problem.best_known = 0.0;
   problem.best_point = Vector::Constant(n, 0.25);
-  problem.evaluate = [](const Vector& x) { return Values{(x.array() - 0.25).square().sum(), {}}; };
-  problem.differentiate = [n](const Vector& x) {
-    return Derivatives{
-        {(x.array() - 0.25).square().sum(), {}}, 2 * (x.array() - 0.25), Matrix(0, n)};
-  };
-  problem.residuals = [n](const Vector& x) {
-    return Residuals{std::sqrt(2.0) * (x.array() - 0.25), std::sqrt(2.0) * Matrix::Identity(n, n)};
-  };
+  differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 0.25); });
+  problem.residuals = [](const Vector& x) { return distances(x, 0.25); };
   return problem;
 }
 

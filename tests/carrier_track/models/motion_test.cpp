@@ -367,12 +367,8 @@ void compare(const Scene& scene, double step, Agreement& agreement) {
 }
 
 TEST(BruteForce, FindsTheImpactsOfRandomScenes) {
-  RandomScenes scenes(1);
   Agreement agreement;
-  for (int i = 0; i < 400; ++i) {
-    SCOPED_TRACE(i);
-    ASSERT_NO_FATAL_FAILURE(compare(scenes.next(), 1e-5, agreement));
-  }
+  for_random(1, 400, [&](RandomScenes& draws) { compare(draws.next(), 1e-5, agreement); });
   EXPECT_GT(agreement.listed, 6000U);
   EXPECT_GT(agreement.time_errors.size(), agreement.listed * 95 / 100);
   EXPECT_GT(agreement.certain, 390);
@@ -409,12 +405,8 @@ TEST(BruteForce, ConvergesWithTheSquareOfItsStep) {
 }
 
 TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
-  RandomScenes scenes(41);
   Agreement agreement;
-  for (int i = 0; i < 100; ++i) {
-    SCOPED_TRACE(i);
-    ASSERT_NO_FATAL_FAILURE(compare(scenes.next_planar(), 1e-5, agreement));
-  }
+  for_random(41, 100, [&](RandomScenes& draws) { compare(draws.next_planar(), 1e-5, agreement); });
   EXPECT_GT(agreement.listed, 1000U);
   EXPECT_GT(agreement.time_errors.size(), agreement.listed * 95 / 100);
   EXPECT_GT(agreement.certain, 95);

@@ -1,3 +1,7 @@
+# Suites whose tests share results that take seconds: one process each.
+set(RICOCHET_SUITES_TOGETHER ReproductionResults Results)
+list(TRANSFORM RICOCHET_SUITES_TOGETHER APPEND ".*" OUTPUT_VARIABLE together)
+
 # Tests that take more than three seconds of a core, or wait as long, each with quick ones beside it; ./ricochet test leaves them
 # out, ./ricochet test --all does not.
 set(RICOCHET_SLOW_TESTS
@@ -17,7 +21,7 @@ set(RICOCHET_SLOW_TESTS
   ArchiveFile.IsRefusedIfAStrangerMadeItOtherwise
   # studies
   IdentifiedMachine.IsFoundThroughFaultsOfTheMeasurement IdentifiedMachine.SaysWhatARecordContradicts
-  ReproductionResults.* Results.*
+  ${together}
   # commands
   Bench.* CampaignCommands.LoseNothingWhereverTheyAreKilled CampaignCommands.KeepAMachineOfTheUsersInTheStore
   EditedSolver.* Golden.IsWhatIsPrinted/export Identify.HasNoIntervals* Identify.FindsTheMachineOfTheExample
@@ -27,13 +31,9 @@ set(RICOCHET_SLOW_TESTS
   StrangersFolder.IsNoPlaceToGoOnWhereItsFilesAreLinks
   TimeLimit.SaysWhatSimulationAloneTellsOfTheRest TimeLimit.SaysInJsonWhatIsNotComplete Verify.*)
 
-# Suites whose tests share results that take seconds: one process.
-set(RICOCHET_TESTS_TOGETHER ReproductionResults.* Results.*)
-
 # What the sanitizers do without, beside these: endless and repeated runs, whose parts are tested too.
 set(RICOCHET_TESTS_NOT_SANITIZED
   *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds HardSearch.JudgesAMachineAsItsFileSays
-  Collisions.SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps
   *HasConverged/nlopt_direct* *DerivativeIsNotFinite/ipopt_* *DerivativeIsNotFinite/continuation_*
   *DeclaredCapabilities.* *GivesTheSameTraceForTheSameRun* *GivesTheSameTracesInTwoThreads*
   Varied.GivesIpoptItsOwnOptions */dlib_global_search *StaysInBoxes*/*ipopt* *Adapters.ReachTheseOptima/ipopt

@@ -129,13 +129,20 @@ bool reap(pid_t child, bool& gone, int& status) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != owner) _exit(1);
   const pid_t own = getpid();
-  const pid_t child = fork();
+  int ready[2] = {};
+  const pid_t child = pipe2(ready, O_CLOEXEC) == 0 ? fork() : -1;
   if (child == 0) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != own) _exit(1);
     prctl(PR_SET_NAME, name);
     close(failure);
+    close(ready[1]);
+    // The work may stop its supervisor, for which the owner waits until that has closed its
+    // descriptors.
+    char nothing = 0;
+    static_cast<void>(read(ready[0], &nothing, 1));
+    close(ready[0]);
     sigprocmask(SIG_SETMASK, &inherited, nullptr);
     work();
     _exit(1);
@@ -146,7 +153,9 @@ bool reap(pid_t child, bool& gone, int& status) {
     _exit(1);
   }
   setpgid(child, child);  // here and in the child, whichever is first
+  close(failure);
   close_all_descriptors();
+  close(ready[1]);  // if the kernel has no close_range()
   watch(child);
 }
 

@@ -23,7 +23,7 @@ set(RICOCHET_SLOW_TESTS
   IdentifiedMachine.IsFoundThroughFaultsOfTheMeasurement IdentifiedMachine.SaysWhatARecordContradicts
   ${together}
   # commands
-  Bench.* CampaignCommands.LoseNothingWhereverTheyAreKilled CampaignCommands.KeepAMachineOfTheUsersInTheStore
+  Bench.* CampaignCommands.KeepAMachineOfTheUsersInTheStore
   EditedSolver.* Golden.IsWhatIsPrinted/export Identify.HasNoIntervals* Identify.FindsTheMachineOfTheExample
   Main.NeedsNoStandardError Main.SendsEscapesOnlyToATerminalThatTakesThem DailyUse.NoticesThatItsFolderIsGone
   Reproduce.WritesAReportThatStandsAlone Simulators.ComparesAToolOfOnesOwn

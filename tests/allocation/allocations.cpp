@@ -33,38 +33,30 @@ std::int64_t ricochet::allocations() {
 
 // NOTE: all formulations are replaced, not only those that the others call by default: a
 // sanitizer's own defaults call none of them.
-#define NEW_AND_DELETE(brackets)                                                                  \
-  void* operator new brackets(std::size_t size) {                                                 \
-    return checked(allocate(size));                                                               \
-  }                                                                                               \
-  void* operator new brackets(std::size_t size, std::align_val_t alignment) {                     \
-    return checked(allocate(size, alignment));                                                    \
-  }                                                                                               \
-  void* operator new brackets(std::size_t size, const std::nothrow_t&) noexcept {                 \
-    return allocate(size);                                                                        \
-  }                                                                                               \
-  void* operator new brackets(std::size_t size, std::align_val_t alignment,                       \
-                              const std::nothrow_t&) noexcept {                                   \
-    return allocate(size, alignment);                                                             \
-  }                                                                                               \
-  void operator delete brackets(void* memory) noexcept {                                          \
-    std::free(memory);                                                                            \
-  }                                                                                               \
-  void operator delete brackets(void* memory, std::size_t) noexcept {                             \
-    std::free(memory);                                                                            \
-  }                                                                                               \
-  void operator delete brackets(void* memory, std::align_val_t) noexcept {                        \
-    std::free(memory);                                                                            \
-  }                                                                                               \
-  void operator delete brackets(void* memory, std::size_t, std::align_val_t) noexcept {           \
-    std::free(memory);                                                                            \
-  }                                                                                               \
-  void operator delete brackets(void* memory, const std::nothrow_t&) noexcept {                   \
-    std::free(memory);                                                                            \
-  }                                                                                               \
-  void operator delete brackets(void* memory, std::align_val_t, const std::nothrow_t&) noexcept { \
-    std::free(memory);                                                                            \
+#define DELETE(brackets, ...)                                                       \
+  void operator delete brackets(void* memory __VA_OPT__(, ) __VA_ARGS__) noexcept { \
+    std::free(memory);                                                              \
   }
+#define NEW_AND_DELETE(brackets)                                                  \
+  void* operator new brackets(std::size_t size) {                                 \
+    return checked(allocate(size));                                               \
+  }                                                                               \
+  void* operator new brackets(std::size_t size, std::align_val_t alignment) {     \
+    return checked(allocate(size, alignment));                                    \
+  }                                                                               \
+  void* operator new brackets(std::size_t size, const std::nothrow_t&) noexcept { \
+    return allocate(size);                                                        \
+  }                                                                               \
+  void* operator new brackets(std::size_t size, std::align_val_t alignment,       \
+                              const std::nothrow_t&) noexcept {                   \
+    return allocate(size, alignment);                                             \
+  }                                                                               \
+  DELETE(brackets)                                                                \
+  DELETE(brackets, std::size_t)                                                   \
+  DELETE(brackets, std::align_val_t)                                              \
+  DELETE(brackets, std::size_t, std::align_val_t)                                 \
+  DELETE(brackets, const std::nothrow_t&)                                         \
+  DELETE(brackets, std::align_val_t, const std::nothrow_t&)
 
 NEW_AND_DELETE()
 NEW_AND_DELETE([])

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ricochet/problem.h"
 #include "ricochet/solver.h"
 #include "src/analysis/results.h"

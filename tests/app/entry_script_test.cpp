@@ -3,17 +3,11 @@
 #include <regex>
 
 #include "tests/app/tool.h"
-#include "tests/support/test.h"
 
 /// The script that builds and calls the program, on a checkout of nothing but itself. What it calls
 /// are stand-ins that write down how they were called.
 namespace ricochet::cli {
 namespace {
-
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 class EntryScript : public testing::Test {
  protected:
@@ -32,21 +26,12 @@ class EntryScript : public testing::Test {
     tool("apt-get", "exit 1\n");
   }
 
-  static void make_executable(const std::string& name, const std::string& text) {
-    write(name, text);
-    fs::permissions(here() / name, fs::perms::owner_all);
-  }
   static void tool(const std::string& name, const std::string& text) {
-    make_executable("tools/" + name, "#!/usr/bin/env bash\n" + text);
+    write_program("tools/" + name, "#!/usr/bin/env bash\n" + text);
   }
   static void make_checkout(const std::string& folder) {
-    make_executable(folder + "/build/release/src/app/ricochet", "#!/bin/sh\necho \"$0\"\n");
+    write_program(folder + "/build/release/src/app/ricochet", "#!/bin/sh\necho \"$0\"\n");
     fs::copy_file(RICOCHET_SOURCE "/ricochet", here() / folder / "ricochet");
-  }
-
-  /// As another user where this one may write everywhere.
-  static std::string as_another() {
-    return geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
   }
 
   /// What the call printed; "failed" is added to it if it failed.
@@ -55,7 +40,6 @@ class EntryScript : public testing::Test {
                                 root(), call))
         .out;
   }
-  static std::string log() { return read("log"); }
   static fs::path root() { return fs::canonical(here()); }
 
   /// What the stand-in of a program of the checkout prints.
@@ -76,56 +60,50 @@ TEST_F(EntryScript, CallsTheProgramOfItsOwnCheckout) {
                            "CDPATH=other checkout/ricochet list cases"}) {
     EXPECT_EQ(script(call), program) << call;
   }
-  EXPECT_EQ(log(), filled("cmake --preset release --fresh in {}/checkout\n", root()));
+  EXPECT_EQ(read("log"), filled("cmake --preset release --fresh in {}/checkout\n", root()));
 }
 
 TEST_F(EntryScript, OfACopiedCheckoutConfiguresTheCopy) {
   script("checkout/ricochet list cases");
   fs::copy(here() / "checkout", here() / "copy", fs::copy_options::recursive);
   EXPECT_THAT(script("copy/ricochet list cases"), HasSubstr(called("ricochet", "copy")));
-  EXPECT_THAT(log(), HasSubstr(filled("--fresh in {}/copy\n", root())));
-  const std::string before = log();
+  EXPECT_THAT(read("log"), HasSubstr(filled("--fresh in {}/copy\n", root())));
+  const std::string before = read("log");
   EXPECT_THAT(script("copy/ricochet list cases"), Not(HasSubstr("configuring")));
-  EXPECT_EQ(log(), before);
+  EXPECT_EQ(read("log"), before);
 }
 
 TEST_F(EntryScript, ForgetsACompilerThatWasBroken) {
   EXPECT_THAT(script("CXX=broken checkout/ricochet list cases"), HasSubstr("failed"));
   EXPECT_THAT(script("checkout/ricochet list cases"), Not(HasSubstr("failed")));
   const std::string configured = filled("cmake --preset release --fresh in {}/checkout\n", root());
-  EXPECT_EQ(log(), configured + configured);
+  EXPECT_EQ(read("log"), configured + configured);
 }
 
 TEST_F(EntryScript, BuildsForTheMainJobItsOwnProgramAlone) {
-  make_executable(apps_ + "ricochet-reproduce", "#!/bin/sh\necho \"$0 $*\"\n");
+  write_program(apps_ + "ricochet-reproduce", "#!/bin/sh\necho \"$0 $*\"\n");
   fs::remove(here() / apps_ / "ricochet");
   tool("ninja", "echo \"ninja $*\" >> \"$LOG\"\necho 'ninja: no work to do.'\n");
   EXPECT_THAT(script("checkout/ricochet reproduce --quick"),
               HasSubstr(called("ricochet-reproduce") + " reproduce --quick"));
-  EXPECT_THAT(log(), HasSubstr("-n ricochet_reproduce\n"));
-}
-
-/// The Debian packages with solvers among all that a command installs on a system with none.
-std::set<std::string> solver_packages(const std::string& asked) {
-  static const std::regex package("(.*(dlib|petsc|nlopt|ipopt|pagmo|ceres).*-dev|python3-scipy)");
-  std::set<std::string> found;
-  std::istringstream words(asked);
-  for (std::string word; words >> word;) {
-    if (std::regex_match(word, package)) found.insert(word);
-  }
-  return found;
+  EXPECT_THAT(read("log"), HasSubstr("-n ricochet_reproduce\n"));
 }
 
 TEST_F(EntryScript, InstallsTheSameSolversForAllThatRunsThem) {
-  make_executable(
+  write_program(
       "checkout/ricochet",
       std::regex_replace(read("checkout/ricochet"), std::regex("/var/lib/dpkg/info"), "/nothing"));
+  // The Debian packages with solvers among all that a command installs on a system with none.
   const auto of = [&](const std::string& command) {
-    return solver_packages(script("checkout/ricochet --no-install " + command));
+    const std::string asked = script("checkout/ricochet --no-install " + command);
+    static const std::regex package(
+        R"(\S*(dlib|petsc|nlopt|ipopt|pagmo|ceres)\S*-dev\b|python3-scipy\b)");
+    using Found = std::sregex_token_iterator;
+    return std::set<std::string>(Found(asked.begin(), asked.end(), package), Found());
   };
-  EXPECT_THAT(of("test"), testing::ElementsAre("coinor-libipopt-dev", "libceres-dev", "libdlib-dev",
-                                               "libnlopt-cxx-dev", "libpagmo-dev", "petsc-dev",
-                                               "python3-scipy"));
+  EXPECT_THAT(of("test"),
+              ElementsAre("coinor-libipopt-dev", "libceres-dev", "libdlib-dev", "libnlopt-cxx-dev",
+                          "libpagmo-dev", "petsc-dev", "python3-scipy"));
   for (const char* command : {"compare", "run", "solve", "test --sanitize"}) {
     EXPECT_EQ(of(command), of("test")) << command;
   }
@@ -151,8 +129,8 @@ TEST_F(EntryScript, ListsTheCommandsOfTheProgramBeforeItIsBuilt) {
       HasSubstr(help.substr(first, help.find("\n\nExit codes", first) - first) + "\n");
   const auto not_built = HasSubstr("reproduce is not built yet");
   EXPECT_THAT(script("checkout/ricochet help"), commands);
-  EXPECT_THAT(script("checkout/ricochet help reproduce"), not_built);
   EXPECT_THAT(script("checkout/ricochet --help"), commands);
+  EXPECT_THAT(script("checkout/ricochet help reproduce"), not_built);
   EXPECT_THAT(script("checkout/ricochet reproduce --help"), AllOf(commands, not_built));
   EXPECT_FALSE(exists("log"));
 }
@@ -164,29 +142,26 @@ TEST_F(EntryScript, BuildsNothingForHelp) {
   }
   EXPECT_THAT(script("checkout/ricochet help test"), HasSubstr("test --sanitize"));
   EXPECT_THAT(script("checkout/ricochet surrogate -h"), HasSubstr("surrogate is not built yet"));
-  make_executable(apps_ + "ricochet-studies", "#!/bin/sh\n");
+  write_program(apps_ + "ricochet-studies", "#!/bin/sh\n");
   EXPECT_EQ(script("checkout/ricochet surrogate -h"), program);
   EXPECT_FALSE(exists("log"));
 }
 
 TEST_F(EntryScript, IsCalledWhereAnotherUserBuilt) {
   script("checkout/ricochet list");
-  for (const auto& entry : fs::recursive_directory_iterator(here())) {
-    fs::permissions(entry.path(),
-                    fs::perms::all & ~(fs::perms::owner_write | fs::perms::group_write |
-                                       fs::perms::others_write));
-  }
-  const std::string call = "env HOME=/tmp " + as_another() + "checkout/ricochet list";
+  call_in_shell("chmod -R 0555 .");
+  // Another user's where this one may write everywhere.
+  const std::string call =
+      filled("env HOME=/tmp {} checkout/ricochet list",
+             geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "");
   EXPECT_THAT(script(call),
               AllOf(HasSubstr("build/release/src/app/ricochet\n"), Not(HasSubstr("failed"))));
-  fs::permissions(here() / "tools",
-                  fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
-  fs::permissions(here() / "tools/ninja", fs::perms::all);
+  call_in_shell("chmod u+w tools tools/ninja");
   tool("ninja", "echo '[1/1] Linking'\n");
-  fs::permissions(here() / "tools/ninja", fs::perms::all);
+  call_in_shell("chmod 0755 tools/ninja");
   EXPECT_THAT(script(call), AllOf(HasSubstr("is out of date, and belongs to "),
                                   HasSubstr("make a clone of your own"), HasSubstr("failed")));
-  fs::permissions(here() / "checkout/build/release", fs::perms::owner_all);
+  call_in_shell("chmod -R u+w .");
 }
 
 }  // namespace

@@ -1,19 +1,11 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "src/report/results.h"
-#include "src/report/text.h"
 #include "tests/app/tool.h"
-#include "tests/support/test.h"
 
-/// Solvers that a user brings along, by the examples; and the programs among them.
+/// Solvers that a user brings along, by the examples, and what holds where they are edited.
 namespace ricochet::cli {
 namespace {
-
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 const std::string library = RICOCHET_EXAMPLE_LIBRARY;
 const std::string examples = RICOCHET_SOURCE "/examples/solvers/";
@@ -27,48 +19,45 @@ bool python_has(const std::string& module) {
   return call_in_shell(RICOCHET_PYTHON " -c 'import " + module + "'").exit_code == 0;
 }
 
-Json run_of(const std::string& arguments) {
-  Json run = json_of("solve " + arguments);
-  run.erase("seconds");
-  return run;
-}
-
-/// Expects that the solver does the same twice, spends what it is given, and no more.
-void expect_a_good_run(const std::string& solver, const std::string& problem, int budget) {
-  const std::string arguments = filled("{} {} --instance 1 --budget {}", solver, problem, budget);
-  const Json run = run_of(arguments);
-  EXPECT_EQ(run["failure"], "") << solver;
-  EXPECT_EQ(run["evaluations"], budget) << solver;
-  EXPECT_EQ(run["terminations"].back(), "stopped by the evaluator") << solver;
-  EXPECT_EQ(run, run_of(arguments)) << solver;
+/// A run, which must be the same twice, and spend what the solver is given and no more.
+Json good_run(const std::string& solver, const std::string& problem, int budget) {
+  SCOPED_TRACE(solver);
+  Json runs[2];
+  for (Json& run : runs) {
+    run = json_of("solve {} {} --instance 1 --budget {}", solver, problem, budget);
+    run.erase("seconds");
+  }
+  EXPECT_EQ(runs[0], runs[1]);
+  EXPECT_EQ(runs[0]["failure"], "");
+  EXPECT_EQ(runs[0]["evaluations"], budget);
+  EXPECT_EQ(runs[0]["terminations"].back(), "stopped by the evaluator");
+  return runs[0];
 }
 
 TEST(OwnSolver, IsALibrary) {
-  expect_a_good_run(library, "classic-sphere-5", 2000);
-  EXPECT_EQ(run_of(library + " classic-sphere-5 --budget 2000")["solved"], true);
-  EXPECT_EQ(run_of(library + " hs-71")["formulation"], "penalised") << "it takes no constraints";
+  EXPECT_EQ(good_run(library, "classic-sphere-5", 2000)["solved"], true);
+  EXPECT_EQ(json_of("solve {} hs-71", library)["formulation"], "penalised")
+      << "it takes no constraints";
 }
 
 TEST(OwnSolver, IsAProgram) {
   if (!python_has("json")) GTEST_SKIP() << "no Python";
-  expect_a_good_run(python("hill_climber"), "classic-sphere-5", 2000);
-  const Json run = run_of(python("hill_climber") + " classic-sphere-5 --budget 2000");
-  EXPECT_EQ(run["solver"], "hill-climber");
-  EXPECT_EQ(run["solved"], true);
-  EXPECT_EQ(run["returned_solved"], true);
+  const Json run = good_run(python("hill_climber"), "classic-sphere-5", 2000);
+  EXPECT_EQ((Json{run["solver"], run["solved"], run["returned_solved"]}),
+            (Json{"hill-climber", true, true}));
 }
 
 TEST(OwnSolver, IsOneOfScipy) {
   if (!python_has("scipy")) GTEST_SKIP() << "no python3-scipy";
-  const std::string solver = python("scipy_differential_evolution");
-  expect_a_good_run(solver, "classic-sphere-5", 300);
-  EXPECT_EQ(run_of(solver + " count-C1 --budget 200")["solver"], "scipy-differential-evolution");
+  for (const auto& [problem, budget] : {std::pair("classic-sphere-5", 300), {"count-C1", 200}}) {
+    EXPECT_EQ(good_run(python("scipy_differential_evolution"), problem, budget)["solver"],
+              "scipy-differential-evolution");
+  }
 }
 
 TEST(OwnSolver, IsOneOfNloptInPython) {
   if (!python_has("nlopt")) GTEST_SKIP() << "no python3-nlopt";
-  expect_a_good_run(python("nlopt_cobyla"), "hs-71", 300);
-  const Json run = run_of(python("nlopt_cobyla") + " hs-71 --budget 1000");
+  const Json run = good_run(python("nlopt_cobyla"), "hs-71", 1000);
   EXPECT_EQ(run["formulation"], "original") << "with its constraints, an equality among them";
   EXPECT_NEAR(run["objective"].get<double>(), 17.014, 0.01);
 }
@@ -80,9 +69,9 @@ TEST(OwnSolver, InOctaveOrRSpendsItsBudget) {
         std::pair("Rscript -e 'library(jsonlite)'", "Rscript {}random_search.R")}) {
     if (call_in_shell(probe).exit_code != 0) continue;
     ran = true;
-    const std::string quoted = "\"" + filled(solver, examples) + "\"";
-    expect_a_good_run(quoted, "classic-sphere-5", 300);
-    EXPECT_EQ(run_of(quoted + " count-C1 --budget 50")["evaluations"], 50);
+    for (const char* problem : {"classic-sphere-5", "count-C1"}) {
+      good_run("\"" + filled(solver, examples) + "\"", problem, 50);
+    }
   }
   if (!ran) GTEST_SKIP() << "neither octave-cli nor Rscript with jsonlite";
 }
@@ -95,14 +84,13 @@ TEST(OwnSolver, IsComparedWithOthers) {
       "compare --solver {} --solver {} --solver scan --solvers 'nlopt-crs*' "
       "--problems count-C1 --formulations count --budget 20 --instances 2 --out mine",
       library, python("hill_climber"));
-  const report::Results data = report::results_in(report::data_in(read("mine/count/data.json")));
+  const auto families = results_of("mine/count").parts.at("families");
   std::set<std::string> names;
-  each_row(*data.parts.at("families").at(0).results.table("results"),
-           [&](const ricochet::Row& result) {
-             names.insert(result.text("solver"));
-             EXPECT_EQ(result.number("failed"), 0);
-           });
-  EXPECT_EQ(names, (std::set<std::string>{"mine", "hill-climber", "scan", "nlopt-crs2"}));
+  each_row(*families.at(0).results.table("results"), [&](const Row& result) {
+    names.insert(result.text("solver"));
+    EXPECT_EQ(result.number("failed"), 0);
+  });
+  EXPECT_THAT(names, ElementsAre("hill-climber", "mine", "nlopt-crs2", "scan"));
 }
 
 TEST(OwnSolver, ThatFailsIsSaidTo) {
@@ -112,9 +100,7 @@ TEST(OwnSolver, ThatFailsIsSaidTo) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, why);
   EXPECT_THAT(Json::parse(outcome.out)["failure"].get<std::string>(), why);
-  const Outcome words = call("solve 'sh mine.sh' count-C1");
-  EXPECT_EQ(words.exit_code, 1);
-  EXPECT_THAT(words.out, HasSubstr("no start ended."));
+  EXPECT_THAT(call("solve 'sh mine.sh' count-C1").out, HasSubstr("no start ended."));
 }
 
 TEST(OwnSolver, ThatHangsEndsWithRicochet) {
@@ -146,11 +132,6 @@ for line in sys.stdin:
 
 constexpr auto changed = "mine changed since these runs: 2 runs are repeated";
 
-void write_program(const std::string& name, const std::string& text) {
-  write(name, text);
-  fs::permissions(here() / name, fs::perms::owner_all);
-}
-
 /// A user's solver that is edited between two runs of a plan, beside one of the suite.
 class EditedSolver : public testing::Test {
  protected:
@@ -161,9 +142,7 @@ class EditedSolver : public testing::Test {
   }
 
   static std::string path(const std::string& name) { return (here() / name).string(); }
-
   static std::string script() { return RICOCHET_PYTHON " " + path("mine.py"); }
-
   static std::string command(const std::string& solver, const std::string& out,
                              const std::string& rest) {
     write("plan.toml", filled("[[part]]\nproblems = \"classic-sphere-5\"\nsolvers = [\"{}\", "
@@ -179,25 +158,24 @@ class EditedSolver : public testing::Test {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.err;
   }
-
   static std::string digest(const std::string& out) { return out_of("digest " + out); }
 
   /// Expects that runs are kept until `edit`, and then those of the solver are repeated, as in a
   /// fresh folder.
   static void expect_made_anew(const std::string& solver, const std::function<void()>& edit) {
+    SCOPED_TRACE(solver);
     for (const char* out : {"out", "fresh"}) fs::remove_all(here() / out);
     run(solver, "out");
     const std::string before = digest("out");
-    EXPECT_THAT(run(solver, "out", "--resume"), HasSubstr("4 runs are there already")) << solver;
-    EXPECT_EQ(digest("out"), before) << solver;
+    EXPECT_THAT(run(solver, "out", "--resume"), HasSubstr("4 runs are there already"));
+    EXPECT_EQ(digest("out"), before);
     edit();
     EXPECT_THAT(run(solver, "out", "--resume"),
-                AllOf(HasSubstr(changed), HasSubstr("2 runs are there already")))
-        << solver;
-    EXPECT_NE(digest("out"), before) << solver;
+                AllOf(HasSubstr(changed), HasSubstr("2 runs are there already")));
+    EXPECT_NE(digest("out"), before);
     run(solver, "fresh");
-    EXPECT_EQ(digest("out"), digest("fresh")) << solver;
-    EXPECT_THAT(run(solver, "out", "--resume"), Not(HasSubstr("changed"))) << solver;
+    EXPECT_EQ(digest("out"), digest("fresh"));
+    EXPECT_THAT(run(solver, "out", "--resume"), Not(HasSubstr("changed")));
   }
 
   static void edit_script() {
@@ -214,13 +192,12 @@ TEST_F(EditedSolver, IsAScriptAProgramOrWhatASymbolicLinkLeadsTo) {
   expect_made_anew(path("mine"), [&] { write("mine", program + "# edited\n" + one_point); });
 
   write("mine.py", one_point);
-  fs::create_symlink(here() / "mine.py", here() / "link.py");
+  fs::create_symlink("mine.py", here() / "link.py");
   expect_made_anew(RICOCHET_PYTHON " " + path("link.py"), [&] {
-    fs::copy(here() / "mine.py", here() / "other.py");
     edit_script();
     fs::rename(here() / "mine.py", here() / "edited.py");
     fs::remove(here() / "link.py");
-    fs::create_symlink(here() / "edited.py", here() / "link.py");
+    fs::create_symlink("edited.py", here() / "link.py");
   });
 }
 
@@ -245,9 +222,9 @@ TEST_F(EditedSolver, IsFoundOnThePath) {
 TEST_F(EditedSolver, IsALibrary) {
   fs::copy(library, here() / "mine.so");
   expect_made_anew(path("mine.so"), [&] {
+    const std::string before = read("mine.so");
     fs::remove(here() / "mine.so");  // a compiler writes a new file, too
-    fs::copy(library, here() / "mine.so");
-    std::ofstream(here() / "mine.so", std::ios::app) << "edited";
+    write("mine.so", before + "edited");
   });
 }
 
@@ -303,10 +280,8 @@ TEST_F(EditedSolver, IsComparedAnew) {
   const std::string earlier = read("out/data.json");
   EXPECT_EQ(call("report out").err, "");
   EXPECT_THAT(call(compare).err, HasSubstr("mine changed since these runs: "));
-  const std::string later = read("out/data.json");
   write("out/data.json", earlier);
   EXPECT_THAT(call("report out").err, HasSubstr("has other runs than this report"));
-  write("out/data.json", later);
   out_of("submit out --solvers '*' --out out.archive --allow-programs");
   write("mine.py", one_point);
   EXPECT_THAT(call("compare --solver '{}' --against out.archive --out against", script()).err,
@@ -333,7 +308,7 @@ TEST_F(EditedSolver, IsNamedByAReplay) {
 
 TEST_F(EditedSolver, StopsTheRunsIfItChangesMeanwhile) {
   std::string text = one_point;
-  text.replace(text.find("    problem ="), 0, "    open(__file__, 'a').write('# edited\\n')\n");
+  text.insert(text.find("    problem ="), "    open(__file__, 'a').write('# edited\\n')\n");
   write("mine.py", text);
   // The script may complain, too: that nobody listens any more.
   const Outcome outcome = call(command(script(), "out", "--quiet"));
@@ -342,103 +317,6 @@ TEST_F(EditedSolver, StopsTheRunsIfItChangesMeanwhile) {
   EXPECT_THAT(outcome.err, HasSubstr("mine.py: changed while runs of mine were made"));
   out_of("export out --format csv --out csv");
   EXPECT_THAT(read("csv/runs.csv"), Not(HasSubstr(",mine,")));
-}
-
-/// Two programs that leave a file when they are started, and a plan that names them.
-class Programs : public testing::Test {
- protected:
-  void SetUp() override {
-    for (const std::string name : {"first", "second"}) {
-      write(name + ".sh",
-            filled("touch {0}/{1}.started\necho '{{\"name\": \"{1}\"}}'\n"
-                   "while read -r problem; do\n"
-                   "  echo '{{\"ask\": [1]}}'; read -r answer; echo '{{\"done\": \"done\"}}'\n"
-                   "done\n",
-                   here(), name));
-    }
-    write("plan.toml",
-          "name = \"programs\"\n[[part]]\nproblems = [\"count-C1\"]\nformulations = [\"count\"]\n"
-          "solvers = [\"scan\", \"sh first.sh\", \"sh second.sh\"]\nbudgets = [5]\n"
-          "instances = 2\n");
-  }
-
-  static bool started(const std::string& name) { return exists(name + ".started"); }
-  static bool any_started() { return started("first") || started("second"); }
-  static void forget_starts() {
-    for (const char* file : {"first.started", "second.started"}) fs::remove(here() / file);
-  }
-};
-
-TEST_F(Programs, AreListedByACheckThatStartsNone) {
-  const std::string check = out_of("plan check plan.toml");
-  EXPECT_THAT(check, AllOf(HasSubstr("run would start: sh first.sh\n"),
-                           HasSubstr("run would start: sh second.sh\n"), HasSubstr("; at least ")));
-  const Json data = json_of("plan check plan.toml");
-  EXPECT_EQ(data["programs"], (Json{"sh first.sh", "sh second.sh"}));
-  EXPECT_EQ(data["runs"], 6);
-  EXPECT_EQ(data["at_least"], true) << "they take a time that a check does not know";
-  EXPECT_THAT(out_of("plan slurm plan.toml"),
-              AllOf(HasSubstr("# It starts: sh second.sh\n"), HasSubstr(" --allow-programs "),
-                    HasSubstr("# The time below is at least needed")));
-  EXPECT_FALSE(any_started());
-  EXPECT_THAT(out_of("plan check quick"), HasSubstr("; about "));
-  EXPECT_THAT(out_of("plan slurm quick"),
-              AllOf(Not(HasSubstr("at least")), Not(HasSubstr("--allow-programs"))));
-}
-
-TEST_F(Programs, AreShownInALineEach) {
-  write("odd.toml",
-        "[[part]]\nproblems = \"hs-71\"\n"
-        "solvers = [\"scan\", \"sh -c '\\u001b[31m\\ntouch evil'\"]\nbudgets = 5\n");
-  const std::string shown = "sh -c '\\x1b[31m\\x0atouch evil'\n";
-  EXPECT_THAT(out_of("plan check odd.toml"), HasSubstr("run would start: " + shown));
-  EXPECT_THAT(out_of("plan slurm odd.toml"), HasSubstr("# It starts: " + shown))
-      << "else its second line would be a command";
-}
-
-TEST_F(Programs, OfAPlanRunOnlyWhereTheyAreAllowed) {
-  expect_refusal("run plan.toml --out out",
-                 "plan.toml: names programs, which run with your rights: sh first.sh; "
-                 "sh second.sh; add --allow-programs if you trust them");
-  EXPECT_FALSE(started("first"));
-  EXPECT_FALSE(exists("out"));
-  const Outcome run = call("run plan.toml --out out --allow-programs");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, AllOf(testing::StartsWith("starts sh first.sh\nstarts sh second.sh\n"),
-                             HasSubstr("\nabout ")));
-  EXPECT_TRUE(started("first"));
-}
-
-TEST_F(Programs, OfAStoreAreStartedForTheirOwnRunsOnly) {
-  out_of("run plan.toml --out out --allow-programs");
-  int seen = 0;
-  for (int number = 1; number <= 6; ++number) {
-    forget_starts();
-    const std::string replay = filled("replay out {}", number);
-    const Outcome unasked = call(replay);
-    EXPECT_FALSE(any_started());
-    const Json again = json_of(replay + " --allow-programs");
-    EXPECT_EQ(again["same"], true);
-    const std::string solver = again["solver"];
-    EXPECT_EQ(started("first"), solver == "first");
-    EXPECT_EQ(started("second"), solver == "second");
-    EXPECT_EQ(unasked.exit_code, solver == "scan" ? 0 : 2) << solver;
-    if (solver == "scan") continue;
-    ++seen;
-    EXPECT_THAT(unasked.err, HasSubstr("run with your rights: sh " + solver + ".sh; add"));
-  }
-  EXPECT_EQ(seen, 4);
-  forget_starts();
-  for (const std::string reading :
-       {"digest out", "export out --format csv --out csv", "merge all.sqlite out"}) {
-    call(reading);
-    EXPECT_FALSE(any_started()) << reading;
-  }
-}
-
-TEST_F(Programs, GivenByACommandNeedNoPermission) {
-  out_of("solve 'sh first.sh' count-C1");
-  EXPECT_TRUE(started("first"));
 }
 
 }  // namespace

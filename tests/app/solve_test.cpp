@@ -1,55 +1,11 @@
-#include <regex>
-
-#include "src/report/results.h"
 #include "src/report/text.h"
 #include "tests/app/tool.h"
-#include "tests/support/files.h"
-#include "tests/support/test.h"
 
-/// Problems and solvers: listed, run, compared.
+/// Problems and solvers: listed, evaluated, run, compared.
 namespace ricochet::cli {
 namespace {
 
-using testing::AllOf;
 using testing::ContainsRegex;
-using testing::HasSubstr;
-using testing::Not;
-
-const std::string machine = RICOCHET_SOURCE "/examples/machine.toml";
-
-TEST(List, HasCasesSolversAndProblemsWithTheirBestValues) {
-  const Json cases = json_of("list cases");
-  ASSERT_EQ(cases.size(), 12U);
-  EXPECT_EQ(cases[0]["paper_threshold"], 9.0);
-  EXPECT_TRUE(cases[10]["paper_threshold"].is_null());
-  const Json solvers = json_of("list solvers");
-  EXPECT_EQ(solvers.size(), 71U);
-  for (const auto& solver : solvers) EXPECT_NE(solver["version"], "") << solver["solver"];
-  const Json problems = json_of("list problems");
-  ASSERT_EQ(problems.size(), 221U + 15 + 27 + 116 + 53 + 9);
-  for (const auto& problem : problems) {
-    EXPECT_TRUE(problem["best_known"].is_number()) << problem["problem"];
-  }
-  EXPECT_EQ(problems[0]["problem"], "count-C1");
-  EXPECT_EQ(problems[0]["formulations"], (Json{"count", "surrogate"}));
-  EXPECT_EQ(problems[12]["problem"], "top-speed-C1");
-  EXPECT_EQ(problems[12]["constraints"], 1);
-  EXPECT_EQ(problems[12]["formulations"],
-            (Json{"count", "penalised-count", "surrogate", "penalised-surrogate"}));
-}
-
-TEST(List, HasTheProblemsOfAFamilyAMachineAndThoseThatASolverAccepts) {
-  const Json family = json_of("list problems --family top-speed");
-  ASSERT_EQ(family.size(), 12U);
-  EXPECT_EQ(family[0]["problem"], "top-speed-C1");
-  const Json accepted = json_of("list problems --solver-accepts scan");
-  ASSERT_GT(accepted.size(), 12U);
-  for (const auto& problem : accepted) EXPECT_EQ(problem["dimension"], 1);
-  const Json own = json_of("list problems --scene {} --set restitution=0.3", machine);
-  EXPECT_EQ(own.size(), 18U);
-  EXPECT_EQ(own[0]["problem"], "count-scene");
-  EXPECT_TRUE(own[0]["best_known"].is_null());
-}
 
 /// The lines of a list on a terminal of that many columns.
 std::vector<std::string> lines_on_terminal(const std::string& what, int columns) {
@@ -74,27 +30,33 @@ TEST(List, IsAsWideAsTheTerminalAndNeverCutElsewhere) {
   }
 }
 
-TEST(Solve, RunsOneSolverAndJudgesIt) {
-  const Json result = json_of("solve BISECTION top-speed-c1 --budget 30");
-  EXPECT_EQ(result["problem"], "top-speed-C1") << "names are taken in any case";
-  EXPECT_EQ(result["solved"], true);
-  EXPECT_EQ(result["formulation"], "count");
-  EXPECT_NEAR(result["point"][0].get<double>(),
-              json_of("threshold --case C1")["first_loud"].get<double>(), 0.01);
-  EXPECT_LE(result["evaluations"], 30);
-  EXPECT_EQ(result["returned_solved"], true);
-  const std::string speed = std::to_string(result["point"][0].get<double>()).substr(0, 6);
-  EXPECT_THAT(out_of("solve bisection top-speed-C1 --budget 30"), HasSubstr("Returned: " + speed));
+/// What a script of bash leaves behind.
+Outcome call_from_bash(const std::string& script) {
+  write("script", script);
+  return call_in_shell("bash script");
 }
 
-TEST(Solve, SaysWhatIsMaximisedWithItsUnitAndWithoutASign) {
-  for (const std::string problem : {"top-speed-C1", "hard-top-speed-01", "robust-worst-C4"}) {
-    EXPECT_THAT(out_of("solve random-search {} --budget 30", problem),
-                ContainsRegex("Best evaluated: [0-9.]+ rad/s, [0-9.e-]+ from the best "
-                              "known, [0-9.]+ rad/s\\.\nReturned: [0-9.]+ rad/s\\.\n"));
-  }
-  EXPECT_LT(json_of("solve random-search top-speed-C1 --budget 30")["objective"], 0)
-      << "as minimised";
+TEST(Evaluate, AnswersAtOnce) {
+  const Outcome outcome = call_from_bash(R"(
+coproc asked { ricochet evaluate hs-71; }
+echo '[1, 1, 1, 1]' >&"${asked[1]}"
+read -r -t 20 -u "${asked[0]}" answer
+echo "$answer"
+exec {asked[1]}>&-
+wait)");
+  EXPECT_THAT(outcome.out, HasSubstr("\"evaluations\":1")) << outcome.err;
+}
+
+TEST(Evaluate, EndsWhereNobodyListens) {
+  if (const auto reason = missing({"/dev/full"}); !reason.empty()) GTEST_SKIP() << reason;
+  write("point", "[1, 1, 1, 1]");
+  const Outcome full = call("evaluate hs-71 <point >/dev/full");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_THAT(full.err, StartsWith("ricochet: standard output: "));
+  const Outcome closed = call_from_bash(R"(
+trap '' PIPE
+{ yes '[1, 1, 1, 1]' 2>/dev/null | ricochet evaluate hs-71; echo "${PIPESTATUS[1]}" >&2; } | head -n 1)");
+  EXPECT_EQ(closed.err, "ricochet: standard output: Broken pipe\n1\n");
 }
 
 /// The value beside a point is that of the problem as it is stated at that point, also where the
@@ -114,26 +76,6 @@ TEST(Solve, SaysTheBestPointAsTheProblemHasIt) {
       EXPECT_EQ(told["point"] == told["stated_point"], how == "--instance 0") << command;
     }
   }
-  const std::string shown = out_of("solve bisection top-speed-C1 --budget 30 --instance 2");
-  std::smatch said;
-  ASSERT_TRUE(std::regex_search(
-      shown, said, std::regex("Best evaluated: ([0-9.]+) rad/s[^]*point: ([0-9.]+)\\.\n")));
-  EXPECT_EQ(said[1], said[2]);
-}
-
-TEST(Solve, DisturbsWhatIsShownAndNotWhatIsJudged) {
-  const std::string command = "solve random-search classic-sphere-5 --budget 50";
-  const Json plain = json_of(command), noisy = json_of(command + " --perturbation noisy");
-  EXPECT_EQ(plain["perturbation"], "plain");
-  EXPECT_EQ(noisy["perturbation"], "noisy");
-  double squares = 0;
-  for (const double x : noisy["point"].get<std::vector<double>>()) squares += x * x;
-  EXPECT_NEAR(noisy["objective"], squares, 1e-9 * squares) << "the noise would be 1e-3";
-  EXPECT_NE(json_of(command + " --perturbation reflected")["point"], plain["point"]);
-}
-
-report::Results results_of(const std::string& folder) {
-  return report::results_in(report::data_in(read(folder + "/data.json")));
 }
 
 /// The first family on a page.
@@ -157,8 +99,7 @@ TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
     EXPECT_EQ(result.number("runs"), 2);
     EXPECT_LE(result.number("returned_lower"), result.number("returned"));
   });
-  EXPECT_EQ(cobyla, (std::set<std::string>{"count", "surrogate", "penalised-count",
-                                           "penalised-surrogate"}));
+  EXPECT_THAT(cobyla, ElementsAre("count", "penalised-count", "penalised-surrogate", "surrogate"));
   EXPECT_EQ(family.table("surrogate-bias")->rows.size(), 1U);
   EXPECT_FALSE(family.table("formulations")->rows.empty());
   const report::Results all = results_of("mine");
@@ -189,7 +130,7 @@ TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
 TEST(Compare, AsksTheProblemsOfAMachineOfOnesOwn) {
   EXPECT_THAT(out_of("compare --scene {} --problems top-speed-scene --budget 20 --instances 2 "
                      "--solvers 'random*,bisection' --set restitution=0.3 --out mine",
-                     machine),
+                     RICOCHET_SOURCE "/examples/machine.toml"),
               ContainsRegex("\ntop-speed +20 "));
   EXPECT_EQ(report::data_in(read("mine/data.json"))["pages"],
             (Json{"top-speed", "solvers", "view"}));
@@ -203,18 +144,16 @@ TEST(Compare, SurvivesProblemsThatThrowHangAndCrash) {
   const report::Results page = results_of("mine/robustness");
   const Table& endings = *page.table("pathological");
   EXPECT_EQ(endings.rows.size(), 9U);
-  const auto row_of = [&](const std::string& problem) {
-    return endings.find(
-        [&](const Row& one) { return one.text("problem") == "pathological-" + problem; });
-  };
-  for (const auto& [problem, ending] :
-       {std::pair("throws", "threw"), {"hangs", "killed"}, {"crashes", "crashed"}}) {
-    const auto row = row_of(problem);
-    ASSERT_TRUE(row) << problem;
-    EXPECT_EQ(row->number(ending), 2) << problem;
-    EXPECT_EQ(row->number("runs"), 2) << problem;
+  for (const auto& [problem, ending, runs] : {std::tuple("throws", "threw", 2),
+                                              {"hangs", "killed", 2},
+                                              {"crashes", "crashed", 2},
+                                              {"no-number", "solved", 1}}) {  // by BOBYQA
+    const std::string name = filled("pathological-{}", problem);
+    const auto row = endings.find([&](const Row& one) { return one.text("problem") == name; });
+    ASSERT_TRUE(row) << name;
+    EXPECT_EQ(row->number(ending), runs) << name;
+    EXPECT_EQ(row->number("runs"), 2) << name;
   }
-  EXPECT_EQ(row_of("no-number")->number("solved"), 1) << "BOBYQA";
   EXPECT_THAT(read("mine/robustness/summary.md"), HasSubstr("2 killed"));
 }
 
@@ -229,26 +168,22 @@ TEST(Compare, ChoosesFormulations) {
 TEST(Compare, SaysWhichEntriesChangedBetweenStores) {
   for (const std::string step : {"0.25", "0.001"}) {
     write("plan.toml",
-          "name = \"versions\"\n[[solver]]\nname = \"mine\"\nof = \"nlopt-bobyqa\"\n"
-          "options = { initial_step = " +
-              step +
+          "[[solver]]\nname = \"mine\"\nof = \"nlopt-bobyqa\"\noptions = { initial_step = " + step +
               " }\n[[part]]\nproblems = [\"classic-*-[2-6]\", \"classic-b*\"]\n"
               "solvers = [\"mine\", \"random-search\"]\nbudgets = [100]\ninstances = 3\n");
     out_of("run plan.toml --out " + step);
   }
   const std::string words = out_of("compare --stores 0.25 0.001/runs.sqlite");
   EXPECT_THAT(words, ContainsRegex("\nmine +original +.* yes +NLopt "));
-  EXPECT_THAT(words, testing::EndsWith("\n1 of 2 entries: the same\n"));
+  EXPECT_THAT(words, EndsWith("\n1 of 2 entries: the same\n"));
   const Json data = json_of("compare --stores 0.25 0.001");
   EXPECT_EQ(data["families"].size(), 1U);
   ASSERT_EQ(data["entries"].size(), 2U);
   const Json &mine = data["entries"][0], &other = data["entries"][1];
-  EXPECT_EQ(mine["solver"], "mine");
-  EXPECT_EQ(mine["sure"], true);
+  EXPECT_EQ((Json{mine["solver"], mine["sure"]}), (Json{"mine", true}));
   EXPECT_GT(mine["ratio"], 1.0);
   EXPECT_GT(mine["dearer"], mine["cheaper"]);
-  EXPECT_EQ(other["p"], 1.0);
-  EXPECT_EQ(other["ratio"], 1.0);
+  EXPECT_EQ((Json{other["p"], other["ratio"]}), (Json{1.0, 1.0}));
 }
 
 }  // namespace

@@ -1,22 +1,12 @@
 #include "src/experiment/store.h"
-#include "src/report/results.h"
-#include "src/report/text.h"
 #include "tests/app/tool.h"
-#include "tests/support/test.h"
 
-/// What is done with the runs of a campaign: exported, archived, joined; and runs that are missing
-/// or forged.
+/// What is done with the runs of a campaign: exported, archived, joined; runs that are forged; and
+/// the programs that plans and stores name.
 namespace ricochet::cli {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-
 const std::string own = RICOCHET_EXAMPLE_LIBRARY;
-const std::vector<std::string> formats = {"csv",      "json",        "latex",
-                                          "markdown", "iohanalyzer", "coco"};
 
 /// Runs a plan of one part, into the folder `made`.
 void run_part(const std::string& part, const std::string& options = "") {
@@ -45,7 +35,7 @@ TEST_F(Archives, AreReadAsStores) {
 
 TEST_F(Archives, StandBesideAUsersSolverAndTakeItIn) {
   out_of("compare --solver {} --against small.archive --out mine", own);
-  const report::Results data = report::results_in(report::data_in(read("mine/data.json")));
+  const report::Results data = results_of("mine");
   const Table& totals = *data.table("own-totals");
   ASSERT_EQ(totals.rows.size(), 1U);
   EXPECT_EQ(totals[0].text("solver"), "mine");
@@ -71,13 +61,6 @@ TEST_F(Archives, AreRefusedInOneLine) {
   EXPECT_FALSE(exists("again.archive"));
 }
 
-void make_small_campaign(const std::string& options = "") {
-  run_part(
-      "problems = [\"hs-71\"]\nsolvers = [\"random-search\", \"nlopt-cobyla\"]\n"
-      "formulations = [\"original\", \"penalised\"]\nbudgets = [5, 20]\ninstances = 2",
-      options);
-}
-
 /// Has Python read every file, and print how many runs and improvements there are.
 constexpr const char* reader = R"(
 import csv, json
@@ -95,14 +78,13 @@ print(len(runs), len(lines))
 )";
 
 TEST(Export, WritesEveryFormatThatOthersRead) {
-  make_small_campaign();
-  std::size_t runs = 0;
-  for (const std::string& format : formats) {
-    const std::string said = out_of("export made/runs.sqlite --format {0} --out {0}", format);
-    EXPECT_THAT(said, HasSubstr(" runs: ")) << format;
-    runs = std::stoul(said);
+  run_part(
+      "problems = [\"hs-71\"]\nsolvers = [\"random-search\", \"nlopt-cobyla\"]\n"
+      "formulations = [\"original\", \"penalised\"]\nbudgets = [5, 20]\ninstances = 2");
+  for (const std::string format : {"csv", "json", "latex", "markdown", "iohanalyzer", "coco"}) {
+    EXPECT_THAT(out_of("export made/runs.sqlite --format {0} --out {0}", format),
+                StartsWith("12 runs: "));
   }
-  EXPECT_GT(runs, 0U);
   for (const char* file :
        {"latex/table.tex", "latex/summary.tex", "markdown/table.md", "coco/README.txt"}) {
     EXPECT_TRUE(exists(file)) << file;
@@ -115,7 +97,7 @@ TEST(Export, WritesEveryFormatThatOthersRead) {
   if (std::string(RICOCHET_PYTHON).ends_with("NOTFOUND")) return;
   write("read.py", reader);
   const Outcome counted = call_in_shell(RICOCHET_PYTHON " read.py");
-  EXPECT_EQ(counted.out, fmt::format("{0} {0}\n", runs)) << counted.err;
+  EXPECT_EQ(counted.out, "12 12\n") << counted.err;
 }
 
 /// A program that asks for one point of hs-71 again and again; what it says of itself.
@@ -151,122 +133,107 @@ class ForgedStores : public testing::Test {
         "solvers = [\"random-search\", \"nlopt-cobyla\"]\nbudgets = [30]\ninstances = 4");
   }
 
-  using ChangeProblem = std::function<void(StoredProblem&)>;
-  using ChangeRun = std::function<void(RunRecord&)>;
+  /// What is changed of a problem, or of its runs; of all runs if there is no problem.
+  struct Forgery {
+    std::string problem = {}, words = {};  ///< words: of the refusal
+    std::function<void(StoredProblem&)> change_problem = [](StoredProblem&) {};
+    std::function<void(RunRecord&)> change_run = [](RunRecord&) {};
+  };
 
-  /// A store of the same runs: what belongs to a problem (to any if empty) is changed.
-  static std::string forged(const std::string& name, const std::string& problem,
-                            const ChangeProblem& change_problem, const ChangeRun& change_run) {
+  static std::string forged(const std::string& name, const Forgery& forgery) {
     const Store honest = Store::open(here() / honest_, Store::For::reading);
     CampaignDescription description = honest.description();
     for (StoredProblem& one : description.problems) {
-      if (one.name == problem) change_problem(one);
+      if (one.name == forgery.problem) forgery.change_problem(one);
     }
     Store::write(here() / name, description, [&](const Store::AddRun& add) {
       honest.each([&](const StoredRun& run) {
         RunRecord record = run.record;
-        if (problem.empty() || run.key.cell.problem == problem) change_run(record);
+        const bool is_meant = forgery.problem.empty() || run.key.cell.problem == forgery.problem;
+        if (is_meant) forgery.change_run(record);
         add(run.key, record);
       });
     });
     return name;
   }
 
-  static std::string with_problem(const std::string& name, const std::string& problem,
-                                  const ChangeProblem& change) {
-    return forged(name, problem, change, [](RunRecord&) {});
-  }
-
-  static std::string with_runs(const std::string& name, const std::string& problem,
-                               const ChangeRun& change) {
-    return forged(
-        name, problem, [](StoredProblem&) {}, change);
-  }
-
   static constexpr const char* honest_ = "made/runs.sqlite";
 };
 
 TEST_F(ForgedStores, AreRefusedWhereTheyContradictWhatIsKnown) {
-  std::vector<std::pair<std::string, std::string>> forgeries;
-  const auto file = [&] { return fmt::format("{}.sqlite", forgeries.size()); };
-  const auto problem = [&](const std::string& name, const char* words,
-                           const ChangeProblem& change) {
-    forgeries.emplace_back(with_problem(file(), name, change), words);
+  const auto runs = [](const char* problem, const char* words, auto change) {
+    return Forgery{.problem = problem, .words = words, .change_run = change};
   };
-  const auto runs = [&](const std::string& name, const char* words, const ChangeRun& change) {
-    forgeries.emplace_back(with_runs(file(), name, change), words);
-  };
-  problem("hs-71", "best_known of hs-71 is", [](auto& p) { p.best_known += 1; });
-  problem("hs-71", "tolerance of hs-71 is 100", [](auto& p) { p.tolerance = 100; });
-  problem("count-C1", "variables of count-C1 is 3", [](auto& p) { p.variables = 3; });
-  problem("count-C1", "count-C1 is not described as", [](auto& p) { p.family = "classic"; });
-  problem("top-speed-C1", "top-speed-C1 is not described as",
-          [](auto& p) { p.findings["best_known"] = -9; });
   const auto returns = [](double objective) {
     return [objective](RunRecord& record) {
       if (record.returned) record.returned->true_values = {objective, 0.0};
     };
   };
-  runs("count-C1", "it is proven that none is better than", returns(-1));
-  runs("top-speed-C1", "it is proven that none is better than", returns(-9));
-  runs("classic-sphere-5", "it is proven that none is better than 0", returns(-0.001));
-  runs("classic-sphere-5", "it is proven",
-       [](RunRecord& record) { record.trace.back().true_values.objective = -2; });
-  runs("hs-71", "the plan allows 120", [](auto& record) { record.budget.evaluations = 1'000'000; });
-  runs("hs-71", "returned_x has 2 coordinates: must be 4", [](RunRecord& record) {
-    if (record.returned) record.returned->x = Vector::Zero(2);
-  });
-  for (const auto& [store, words] : forgeries) {
+  int number = 0;
+  for (const Forgery& forgery : std::vector<Forgery>{
+           {"hs-71", "best_known of hs-71 is", [](auto& one) { one.best_known += 1; }},
+           {"hs-71", "tolerance of hs-71 is 100", [](auto& one) { one.tolerance = 100; }},
+           {"count-C1", "variables of count-C1 is 3", [](auto& one) { one.variables = 3; }},
+           {"count-C1", "count-C1 is not described as", [](auto& one) { one.family = "classic"; }},
+           {"top-speed-C1", "top-speed-C1 is not described as",
+            [](auto& one) { one.findings["best_known"] = -9; }},
+           runs("count-C1", "it is proven that none is better than", returns(-1)),
+           runs("top-speed-C1", "it is proven that none is better than", returns(-9)),
+           runs("classic-sphere-5", "it is proven that none is better than 0", returns(-0.001)),
+           runs("classic-sphere-5", "it is proven",
+                [](auto& record) { record.trace.back().true_values.objective = -2; }),
+           runs("hs-71", "the plan allows 120",
+                [](auto& record) { record.budget.evaluations = 1'000'000; }),
+           runs("hs-71", "returned_x has 2 coordinates: must be 4", [](auto& record) {
+             if (record.returned) record.returned->x = Vector::Zero(2);
+           })}) {
+    const std::string store = forged(fmt::format("{}.sqlite", ++number), forgery);
     for (const char* reader :
          {"digest {0}", "export {0} --format csv --out csv",
           "submit {0} --solvers '*' --out a --verify 0", "merge m {0} --verify 0",
           "merge m {1} {0} --verify 0", "merge m {0} {1} --verify 0", "compare --stores {1} {0}"}) {
-      expect_refusal(filled(reader, store, honest_), words);
+      expect_refusal(filled(reader, store, honest_), forgery.words);
     }
-    EXPECT_FALSE(exists("m")) << words;
-    EXPECT_FALSE(exists("a")) << words;
+    EXPECT_FALSE(exists("m") || exists("a")) << forgery.words;
   }
 }
 
 /// What could be true is found by repeating runs.
 TEST_F(ForgedStores, AreRefusedWhereARunThatIsRepeatedDiffers) {
-  const std::vector<ChangeRun> changes = {
-      [](RunRecord& record) {
-        record.ledger.charged -= record.ledger.charged > 1 ? 1 : 0;
-        for (Improvement& step : record.trace) {
-          step.evaluations = std::min(step.evaluations, record.ledger.charged);
-        }
-      },
-      [](RunRecord& record) {
-        if (record.returned) record.returned->x[0] += 1e-12;
-        record.seed ^= 1;
-      },
-      [](RunRecord& record) { record.failure = "crashed"; },
-      [](RunRecord& record) { record.terminations = {{"converged"}}; },
-      [](RunRecord& record) { record.ledger.refused += 1; }};
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    const std::string store = with_runs(fmt::format("{}.sqlite", k), "", changes[k]);
+  int number = 0;
+  for (const auto& change : std::vector<std::function<void(RunRecord&)>>{
+           [](RunRecord& record) {
+             record.ledger.charged -= record.ledger.charged > 1 ? 1 : 0;
+             for (Improvement& step : record.trace) {
+               step.evaluations = std::min(step.evaluations, record.ledger.charged);
+             }
+           },
+           [](RunRecord& record) {
+             if (record.returned) record.returned->x[0] += 1e-12;
+             record.seed ^= 1;
+           },
+           [](RunRecord& record) { record.failure = "crashed"; },
+           [](RunRecord& record) { record.terminations = {{"converged"}}; },
+           [](RunRecord& record) { record.ledger.refused += 1; }}) {
+    const std::string store = forged(fmt::format("{}.sqlite", ++number), {.change_run = change});
     out_of("digest " + store);
     for (const char* taking : {"submit {} --solvers '*' --out a", "merge m {}"}) {
       expect_refusal(filled(taking, store),
                      "when it is repeated: it is not what this program does");
     }
-    EXPECT_FALSE(exists("m"));
-    EXPECT_FALSE(exists("a"));
+    EXPECT_FALSE(exists("m") || exists("a"));
   }
 }
 
 TEST_F(ForgedStores, AreSaidNotToBeCheckedWhereAProblemIsAnother) {
-  with_problem("other.sqlite", "hs-71", [](StoredProblem& problem) {
-    problem.tolerance = 100;
-    problem.hash = "0123456789abcdef";
-  });
+  forged("other.sqlite", {"hs-71", "", [](StoredProblem& problem) {
+                            problem.tolerance = 100;
+                            problem.hash = "0123456789abcdef";
+                          }});
   const Outcome outcome = call("digest other.sqlite");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("1 problem is not this program's, by hash"), HasSubstr("hs-71")));
-  with_problem("same.sqlite", "hs-71", [](StoredProblem& problem) { problem.tolerance = 9; });
-  expect_refusal(filled("merge m {} same.sqlite --verify 0", honest_), "tolerance of hs-71 is 9");
 }
 
 /// A sample of the stated size is repeated; how many, by whom and when stays with the runs, and a
@@ -282,8 +249,7 @@ TEST_F(ForgedStores, AreToldFromStoresWhoseRunsWereRepeated) {
                                     "bit by .+ with ricochet .+ on 20[0-9-]+"));
   EXPECT_EQ(by_default.at("joined"), "1 store");
   fs::create_directory(here() / "there");
-  EXPECT_THAT(merged("there/runs.sqlite", "--verify 3").at("verified"),
-              testing::StartsWith("3 of "));
+  EXPECT_THAT(merged("there/runs.sqlite", "--verify 3").at("verified"), StartsWith("3 of "));
   EXPECT_THAT(merged("c.sqlite", "--verify 0").at("verified"), HasSubstr("runs was repeated"));
   out_of("run plan.toml --out there --resume");
   EXPECT_THAT(read("there/summary.md"),
@@ -291,6 +257,101 @@ TEST_F(ForgedStores, AreToldFromStoresWhoseRunsWereRepeated) {
   EXPECT_THAT(read("made/summary.md"), Not(HasSubstr("were joined")));
   out_of("run plan.toml --out from --from {}", honest_);
   EXPECT_THAT(read("from/summary.md"), HasSubstr("Some runs taken over from "));
+}
+
+/// Two programs that leave a file when they are started, and a plan that names them.
+class Programs : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const std::string name : {"first", "second"}) {
+      write(name + ".sh",
+            filled("touch {0}/{1}.started; echo '{{\"name\": \"{1}\"}}'\nwhile read -r problem; do "
+                   "echo '{{\"ask\": [1]}}'; read -r answer; echo '{{\"done\": \"done\"}}'; done\n",
+                   here(), name));
+    }
+    write("plan.toml",
+          "[[part]]\nproblems = \"count-C1\"\nformulations = \"count\"\nbudgets = 5\n"
+          "instances = 2\nsolvers = [\"scan\", \"sh first.sh\", \"sh second.sh\"]\n");
+  }
+
+  /// Those that were started since this was asked before.
+  static std::set<std::string> started() {
+    std::set<std::string> names;
+    for (const std::string name : {"first", "second"}) {
+      if (fs::remove(here() / (name + ".started"))) names.insert(name);
+    }
+    return names;
+  }
+};
+
+TEST_F(Programs, AreListedByACheckThatStartsNone) {
+  const std::string check = out_of("plan check plan.toml");
+  EXPECT_THAT(check, AllOf(HasSubstr("run would start: sh first.sh\n"),
+                           HasSubstr("run would start: sh second.sh\n"), HasSubstr("; at least ")));
+  const Json data = json_of("plan check plan.toml");
+  EXPECT_EQ(data["programs"], (Json{"sh first.sh", "sh second.sh"}));
+  EXPECT_EQ(data["runs"], 6);
+  EXPECT_EQ(data["at_least"], true) << "they take a time that a check does not know";
+  EXPECT_THAT(out_of("plan slurm plan.toml"),
+              AllOf(HasSubstr("# It starts: sh second.sh\n"), HasSubstr(" --allow-programs "),
+                    HasSubstr("# The time below is at least needed")));
+  EXPECT_THAT(started(), IsEmpty());
+  EXPECT_THAT(out_of("plan check quick"), HasSubstr("; about "));
+  EXPECT_THAT(out_of("plan slurm quick"),
+              AllOf(Not(HasSubstr("at least")), Not(HasSubstr("--allow-programs"))));
+}
+
+TEST_F(Programs, AreShownInALineEach) {
+  write("odd.toml",
+        "[[part]]\nproblems = \"hs-71\"\nbudgets = 5\n"
+        "solvers = \"sh -c '\\u001b[31m\\ntouch evil'\"\n");
+  const std::string shown = "sh -c '\\x1b[31m\\x0atouch evil'\n";
+  EXPECT_THAT(out_of("plan check odd.toml"), HasSubstr("run would start: " + shown));
+  EXPECT_THAT(out_of("plan slurm odd.toml"), HasSubstr("# It starts: " + shown))
+      << "else its second line would be a command";
+}
+
+TEST_F(Programs, OfAPlanRunOnlyWhereTheyAreAllowed) {
+  expect_refusal("run plan.toml --out out",
+                 "plan.toml: names programs, which run with your rights: sh first.sh; "
+                 "sh second.sh; add --allow-programs if you trust them");
+  EXPECT_THAT(started(), IsEmpty());
+  EXPECT_FALSE(exists("out"));
+  const Outcome run = call("run plan.toml --out out --allow-programs");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, AllOf(StartsWith("starts sh first.sh\nstarts sh second.sh\n"),
+                             HasSubstr("\nabout ")));
+  EXPECT_THAT(started(), ElementsAre("first", "second"));
+}
+
+TEST_F(Programs, OfAStoreAreStartedForTheirOwnRunsOnly) {
+  out_of("run plan.toml --out out --allow-programs");
+  started();
+  std::multiset<std::string> solvers;
+  for (int number = 1; number <= 6; ++number) {
+    const std::string replay = filled("replay out {}", number);
+    const Outcome unasked = call(replay);
+    EXPECT_THAT(started(), IsEmpty());
+    const Json again = json_of(replay + " --allow-programs");
+    EXPECT_EQ(again["same"], true);
+    const std::string solver = *solvers.insert(again["solver"]);
+    const bool is_program = solver != "scan";
+    EXPECT_EQ(started(), is_program ? std::set{solver} : std::set<std::string>());
+    EXPECT_EQ(unasked.exit_code, is_program ? 2 : 0) << solver;
+    EXPECT_THAT(unasked.err,
+                HasSubstr(is_program ? "run with your rights: sh " + solver + ".sh; add" : ""));
+  }
+  EXPECT_THAT(solvers, ElementsAre("first", "first", "scan", "scan", "second", "second"));
+  for (const std::string reading :
+       {"digest out", "export out --format csv --out csv", "merge all.sqlite out"}) {
+    call(reading);
+    EXPECT_THAT(started(), IsEmpty()) << reading;
+  }
+}
+
+TEST_F(Programs, GivenByACommandNeedNoPermission) {
+  out_of("solve 'sh first.sh' count-C1");
+  EXPECT_THAT(started(), ElementsAre("first"));
 }
 
 }  // namespace

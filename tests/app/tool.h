@@ -1,6 +1,7 @@
 #pragma once
 
-#include "tests/support/test.h"
+#include "src/report/results.h"
+#include "tests/support/files.h"
 
 namespace ricochet::cli {
 
@@ -13,22 +14,28 @@ struct Outcome {
 };
 
 /// The folder of this test, empty at first, in which its commands work.
-std::filesystem::path here();
+fs::path here();
 
 /// The text of a file, whose name is relative to here().
-std::string read(const std::filesystem::path& file);
+std::string read(const fs::path& file);
 
 /// A file with this text, in a folder that is made where it is missing; the name.
 std::string write(const std::string& name, const std::string& text);
 
-bool exists(const std::filesystem::path& file);
+/// The same, which can be called.
+void write_program(const std::string& name, const std::string& text);
+
+bool exists(const fs::path& file);
+
+/// What the report in that folder found.
+report::Results results_of(const std::string& folder);
 
 /// A part of a command; a path is not quoted.
-inline std::string plain(const std::filesystem::path& path) {
+inline std::string plain(const fs::path& path) {
   return path.string();
 }
 template <class Part>
-requires(!std::is_same_v<Part, std::filesystem::path>) std::string plain(const Part& part) {
+requires(!std::is_same_v<Part, fs::path>) std::string plain(const Part& part) {
   return fmt::format("{}", part);
 }
 
@@ -61,9 +68,6 @@ template <class... Parts>
 Json json_of(std::string_view arguments, const Parts&... parts) {
   return Json::parse(out_of(filled(arguments, parts...) + " --format json"), nullptr, false);
 }
-
-/// The JSON of each line of a text.
-std::vector<Json> json_lines(const std::string& text);
 
 /// A call that is sent the signal of that name after so many seconds.
 Outcome call_interrupted(const std::string& signal, const std::string& arguments, int seconds = 1);

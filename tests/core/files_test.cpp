@@ -14,10 +14,6 @@
 namespace ricochet {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-
 class TextFile : public TemporaryFolder {
  protected:
   /// Also of what a draft has left behind.
@@ -29,6 +25,7 @@ class TextFile : public TemporaryFolder {
 TEST_F(TextFile, ReplacesTheWholeFile) {
   write_text_file(path_, "a long first text\n");
   write_text_file(path_, "short\n");
+  { const TextDraft not_committed(path_, "text"); }
   EXPECT_EQ(text_of(path_), "short\n");
   EXPECT_EQ(number_of_files(), 1);
 }
@@ -36,7 +33,7 @@ TEST_F(TextFile, ReplacesTheWholeFile) {
 TEST_F(TextFile, RefusesAFolderAndAMissingFolderInOneLine) {
   for (const fs::path& path : {folder_, folder_ / "missing" / "a.txt"}) {
     const std::string message = complaint_of([&] { return write_text_file(path, "text"), 0; });
-    EXPECT_THAT(message, AllOf(HasSubstr(path.string()), testing::Not(HasSubstr("\n"))));
+    EXPECT_THAT(message, AllOf(HasSubstr(path.string()), Not(HasSubstr("\n"))));
   }
   EXPECT_EQ(number_of_files(), 0);
 }
@@ -125,26 +122,20 @@ TEST_F(TextFile, IsNotDraftedIntoWhatAnotherHasPutThere) {
   EXPECT_EQ(text_of(other), "another's\n");
 }
 
-TEST_F(TextFile, DraftThatIsNotCommittedLeavesNoTrace) {
-  { const TextDraft draft(path_, "text"); }
-  EXPECT_EQ(number_of_files(), 0);
-}
-
 using MadeFolderTest = TemporaryFolder;
 
 TEST_F(MadeFolderTest, IsTakenBackWhereNothingIsPutIn) {
-  const fs::path inner = folder_ / "a" / "b";
-  {
-    const MadeFolder made(inner);
-    EXPECT_TRUE(fs::is_directory(inner));
+  const fs::path outer = folder_ / "a", inner = outer / "b";
+  for (const bool used : {false, true}) {
+    {
+      const MadeFolder made(inner);
+      EXPECT_TRUE(fs::is_directory(inner));
+      if (used) write_file(outer / "mine", "mine");
+    }
+    EXPECT_EQ(fs::exists(outer), used);
+    EXPECT_EQ(fs::exists(outer / "mine"), used);
+    EXPECT_FALSE(fs::exists(inner));
   }
-  EXPECT_TRUE(fs::is_empty(folder_));
-  {
-    const MadeFolder made(inner);
-    write_file(folder_ / "a" / "mine", "mine");
-  }
-  EXPECT_TRUE(fs::exists(folder_ / "a" / "mine"));
-  EXPECT_FALSE(fs::exists(inner));
 }
 
 TEST_F(MadeFolderTest, IsRefusedWhereItCannotBe) {
@@ -155,21 +146,12 @@ TEST_F(MadeFolderTest, IsRefusedWhereItCannotBe) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
 }
 
-/// With TMPDIR in a folder of the test.
-class Scratch : public TemporaryFolder {
- protected:
-  void SetUp() override {
-    TemporaryFolder::SetUp();
-    if (const char* set = std::getenv("TMPDIR")) before_ = set;
-    setenv("TMPDIR", folder_.c_str(), 1);
-  }
-  ~Scratch() override { before_ ? setenv("TMPDIR", before_->c_str(), 1) : unsetenv("TMPDIR"); }
+using Scratch = TemporaryFolder;
 
- private:
-  std::optional<std::string> before_;
-};
-
-TEST_F(Scratch, FolderIsRemovedWithWhatIsInIt) {
+TEST_F(Scratch, FolderIsMadeAmongTemporaryOnesAndRemovedWithWhatIsInIt) {
+  const char* const set = std::getenv("TMPDIR");
+  const std::string before = set ? set : "/tmp";
+  setenv("TMPDIR", folder_.c_str(), 1);
   {
     const ScratchFolder scratch, another;
     EXPECT_NE(scratch.path(), another.path());
@@ -177,11 +159,9 @@ TEST_F(Scratch, FolderIsRemovedWithWhatIsInIt) {
     EXPECT_TRUE(fs::exists(write_file(scratch.path() / "within" / "file", "text")));
   }
   EXPECT_TRUE(fs::is_empty(folder_));
-}
-
-TEST_F(Scratch, FolderThatCannotBeMadeIsAnErrorOfTheSystem) {
   setenv("TMPDIR", (folder_ / "missing").c_str(), 1);
   EXPECT_THROW(ScratchFolder(), OutputError);
+  setenv("TMPDIR", before.c_str(), 1);
 }
 
 using FolderLocks = TemporaryFolder;

@@ -2,9 +2,29 @@
 
 #include "ricochet/problem.h"
 #include "src/core/difference.h"
+#include "tests/support/problems.h"
 #include "tests/support/test.h"
 
 namespace ricochet {
+
+/// x0^2 + x1 subject to 1 - x0^2 x1 <= 0 and x1^2 - 2 <= 0.
+inline Problem constrained() {
+  Problem problem = box_problem("constrained", 2, -5, 5, 0, [](const Vector&) { return 0.0; });
+  problem.constraints = 2;
+  problem.best_known = -4.0;
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] * x[0] + x[1], Vector{{1 - x[0] * x[0] * x[1], x[1] * x[1] - 2}}};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector{{2 * x[0], 1.0}},
+                       Matrix{{-2 * x[0] * x[1], -x[0] * x[0]}, {0.0, 2 * x[1]}}};
+  };
+  problem.lagrangian_hessian = [](const Vector& x, double factor, const Vector& multipliers) {
+    const double mixed = -2 * x[0] * multipliers[0];
+    return Matrix{{2 * factor - 2 * x[1] * multipliers[0], mixed}, {mixed, 2 * multipliers[1]}};
+  };
+  return problem;
+}
 
 /// Expects the Hessian of the Lagrangian at x to be that of differences of the exact gradient, with
 /// steps of this share of the box and less. Returns how many entries were compared: where the

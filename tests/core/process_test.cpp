@@ -50,22 +50,39 @@ TEST(SupervisedProcess, EndsThoughItsSupervisorIsStopped) {
   }
 }
 
-std::string ending_of(const std::function<void()>& work) {
-  SupervisedProcess process(work);
-  EXPECT_TRUE(process.ends_within(20'000));
-  return ending_in_words(process.end());
+TEST(SupervisedProcess, BeginsThoughItsSupervisorIsStoppedAtOnce) {
+  for (int trial = 0; trial < 100; ++trial) {
+    SupervisedProcess process([] {
+      kill(getppid(), SIGSTOP);
+      sleep_long();
+    });
+    EXPECT_EQ(ending_in_words(process.end()), "crashed: Killed");
+  }
 }
 
-TEST(SupervisedProcess, EndsAsItsChildDoes) {
-  EXPECT_EQ(ending_of([] { _exit(0); }), "ended the process, with exit status 0");
-  EXPECT_EQ(ending_of([] { _exit(3); }), "ended the process, with exit status 3");
-  EXPECT_EQ(ending_of([] {}), "ended the process, with exit status 1") << "it returned";
-  EXPECT_EQ(ending_of([] { kill(getpid(), SIGKILL); }), "crashed: Killed");
-  EXPECT_EQ(ending_of([] {
-              std::signal(SIGSEGV, SIG_DFL);
-              kill(getpid(), SIGSEGV);
-            }),
-            "crashed: Segmentation fault");
+[[noreturn]] void crash_by(int signal) {
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+  std::abort();
+}
+
+TEST(SupervisedProcess, EndsAsItsChildDoesAndLeavesNoOrphans) {
+  const std::pair<std::function<void()>, std::string> endings[] = {
+      {[] { _exit(0); }, "ended the process, with exit status 0"},
+      {[] { _exit(3); }, "ended the process, with exit status 3"},
+      {[] {}, "ended the process, with exit status 1"},
+      {[] { kill(getpid(), SIGKILL); }, "crashed: Killed"},
+      {[] { crash_by(SIGSEGV); }, "crashed: Segmentation fault"}};
+  for (const auto& [work, ending] : endings) {
+    Pipe held;
+    SupervisedProcess process([&work = work] {
+      start_hidden();
+      work();
+    });
+    EXPECT_TRUE(process.ends_within(20'000));
+    EXPECT_TRUE(held.is_held_by_nobody());
+    EXPECT_EQ(ending_in_words(process.end()), ending);
+  }
 }
 
 TEST(SupervisedProcess, IsKilledWhenAskedWithAllThatItHasStarted) {
@@ -82,29 +99,17 @@ TEST(SupervisedProcess, IsKilledWhenAskedWithAllThatItHasStarted) {
   }
 }
 
-TEST(SupervisedProcess, LeavesNoOrphansWhenItsChildEnds) {
-  Pipe held;
-  SupervisedProcess process([] {
-    start_hidden();
-    _exit(0);
-  });
-  EXPECT_TRUE(process.ends_within(20'000));
-  EXPECT_TRUE(held.is_held_by_nobody());
-}
-
 TEST(SupervisedProcess, EndsWithItsOwnerHoweverThatEnds) {
   for (const int signal : {0, SIGKILL, SIGTERM, SIGSEGV}) {
     Pipe held;
     const pid_t owner = fork();
     if (owner == 0) {
-      std::signal(SIGSEGV, SIG_DFL);
       const SupervisedProcess process([] {
         start_hidden();
         sleep_long();
       });
       if (signal == 0) _exit(0);
-      kill(getpid(), signal);
-      sleep_long();
+      crash_by(signal);
     }
     waitpid(owner, nullptr, 0);
     EXPECT_TRUE(held.is_held_by_nobody()) << signal;
@@ -151,18 +156,10 @@ TEST(ResourceLimits, LeaveNoCoreFileAndBoundedMemory) {
   EXPECT_EQ(status, 0);
 }
 
-/// At first the process may have 30 files open.
-class OpenFiles : public testing::Test {
- protected:
-  void SetUp() override {
-    getrlimit(RLIMIT_NOFILE, &before_);
-    const rlimit few{30, before_.rlim_max};
-    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
-  }
-  void TearDown() override { setrlimit(RLIMIT_NOFILE, &before_); }
-
-  rlimit before_{};
-};
+void allow_open_files(rlim_t now, rlim_t ever) {
+  const rlimit limit{now, ever};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &limit), 0);
+}
 
 int allowed_open_files() {
   rlimit limit{};
@@ -178,24 +175,9 @@ int limit_for(int further) {
   return limit;
 }
 
-TEST_F(OpenFiles, AreAllowedBesidesThoseThatAreOpenAsFarAsTheSystemDoes) {
-  allow_further_open_files(10);
-  EXPECT_EQ(allowed_open_files(), 30);
-  const int before = limit_for(70);
-  EXPECT_GE(before, 73);
-  std::vector<int> open;
-  for (int k = 0; k <= 5; ++k) {
-    allow_further_open_files(70);
-    EXPECT_EQ(allowed_open_files(), before + k);
-    open.push_back(dup(STDERR_FILENO));
-  }
-  for (const int each : open) close(each);
-}
-
 /// Ends this process with 7 if 50 files are refused, with the reason, and nothing is changed.
 [[noreturn]] void ask_beyond_the_limit() {
-  const rlimit hard{30, 40};
-  setrlimit(RLIMIT_NOFILE, &hard);
+  allow_open_files(30, 40);
   const std::string reason = fmt::format(
       "too many open files: the limit is 30; raise it with ulimit -n {}", limit_for(50));
   const bool refused =
@@ -203,8 +185,23 @@ TEST_F(OpenFiles, AreAllowedBesidesThoseThatAreOpenAsFarAsTheSystemDoes) {
   std::_Exit(refused && allowed_open_files() == 30 ? 7 : 8);
 }
 
-TEST_F(OpenFiles, AreRefusedBeyondTheLimitOfTheSystem) {
+TEST(OpenFiles, AreAllowedBesidesThoseThatAreOpenAsFarAsTheSystemDoes) {
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  allow_open_files(30, before.rlim_max);
+  allow_further_open_files(10);
+  EXPECT_EQ(allowed_open_files(), 30);
+  const int limit = limit_for(70);
+  EXPECT_GE(limit, 73);
+  std::vector<int> open;
+  for (int k = 0; k <= 5; ++k) {
+    allow_further_open_files(70);
+    EXPECT_EQ(allowed_open_files(), limit + k);
+    open.push_back(dup(STDERR_FILENO));
+  }
+  for (const int each : open) close(each);
   EXPECT_EXIT(ask_beyond_the_limit(), testing::ExitedWithCode(7), "");
+  allow_open_files(before.rlim_cur, before.rlim_max);
 }
 
 TEST(Descriptor, LeadsNowhere) {
@@ -225,7 +222,7 @@ TEST(Waiting, IsToldOnStandardErrorAndToWhoeverListens) {
   on_waiting({});
   tell_waiting("again");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "waiting for mine\nagain\n");
-  EXPECT_THAT(told, testing::ElementsAre("waiting for mine", ""));
+  EXPECT_THAT(told, ElementsAre("waiting for mine", ""));
 }
 
 TEST(Frame, IsReadAsItWasWrittenWhateverItsLength) {
@@ -246,18 +243,14 @@ TEST(Frame, IsReadAsItWasWrittenWhateverItsLength) {
   writer.join();
 }
 
-TEST(Frame, IsNoneWhereItEndsWithinOrIsTooLong) {
-  for (const std::string& bytes :
-       {std::string("\5\0\0", 3), std::string("\5\0\0\0\0\0\0\0abcd", 12),
-        std::string(8, '\xFF')}) {
+TEST(Frame, IsNoneWhereItEndsWithinOrIsTooLongOrNobodyReads) {
+  using namespace std::string_literals;
+  for (const std::string& bytes : {"\5\0\0"s, "\5\0\0\0\0\0\0\0abcd"s, std::string(8, '\xFF')}) {
     Pipe pipe;
     pipe.put(bytes);
     pipe.stop_writing();
     EXPECT_EQ(read_frame(pipe.read_end()), std::nullopt);
   }
-}
-
-TEST(Frame, IsNotWrittenWhereNobodyReads) {
   Pipe pipe;
   pipe.stop_reading();
   const auto before = std::signal(SIGPIPE, SIG_IGN);
@@ -305,9 +298,14 @@ std::string called(const std::function<std::string()>& work, int seconds = 20) {
 }
 
 TEST(IsolatedCall, ReturnsTheTextAndChangesNothingHere) {
-  EXPECT_EQ(called([] { return ""; }), "");
-  const std::string much(1 << 20, 'x');
-  EXPECT_EQ(called([&] { return much; }), much);
+  for (const std::string& text : {std::string(), std::string(1 << 20, 'x')}) {
+    EXPECT_EQ(called([&] { return text; }), text);
+  }
+  const auto starts_another = [] {
+    if (fork() == 0) sleep_long();
+    return "here";
+  };
+  EXPECT_EQ(called(starts_another), "here") << "it does not wait for that";
   int here = 1;
   EXPECT_EQ(called([&] { return std::to_string(++here); }), "2");
   EXPECT_EQ(here, 1);
@@ -320,25 +318,8 @@ TEST(IsolatedCall, SaysHowItFailed) {
   EXPECT_EQ(failure_of([]() -> std::string { throw std::runtime_error("torn"); }), "torn");
   EXPECT_EQ(failure_of([]() -> std::string { throw 7; }), "threw what is no std::exception");
   EXPECT_EQ(failure_of([]() -> std::string { _exit(3); }), "ended the process, with exit status 3");
-  const auto crashes = []() -> std::string {
-    std::signal(SIGBUS, SIG_DFL);
-    raise(SIGBUS);
-    return "";
-  };
-  EXPECT_EQ(failure_of(crashes), "crashed: Bus error");
-  const auto hangs = [] {
-    sleep_long();
-    return "";
-  };
-  EXPECT_EQ(failure_of(hangs, 1), "took more than 1 s");
-}
-
-TEST(IsolatedCall, DoesNotWaitForWhatTheCallHasStarted) {
-  const auto starts = [] {
-    if (fork() == 0) sleep_long();
-    return "here";
-  };
-  EXPECT_EQ(called(starts), "here");
+  EXPECT_EQ(failure_of([]() -> std::string { crash_by(SIGBUS); }), "crashed: Bus error");
+  EXPECT_EQ(failure_of([] { return sleep_long(), ""; }, 1), "took more than 1 s");
 }
 
 }  // namespace

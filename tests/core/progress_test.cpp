@@ -57,12 +57,6 @@ TEST(Warning, IsWrittenOnceForEachTextAndSteersNoTerminal) {
             "warning: a\\x1b[31m.toml: too long\n");
 }
 
-/// Death tests start the program anew, where no other thread has begun.
-class Interruption : public testing::Test {
- protected:
-  void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
-};
-
 /// Interrupts itself, in a process of its own, and waits for what comes of it.
 [[noreturn]] void interrupt_itself(int signal) {
   std::signal(signal, SIG_DFL);  // a shell's background jobs ignore some, and so would this one
@@ -82,35 +76,27 @@ class Interruption : public testing::Test {
   std::exit(0);
 }
 
-TEST_F(Interruption, EndsTheProgramTidily) {
+/// As a terminal does, which sends the signal to the program and to its group.
+[[noreturn]] void interrupt_itself_twice(sighandler_t treated_before) {
+  std::signal(SIGINT, treated_before);
+  end_tidily_when_interrupted();
+  for (int time = 0; time < 2; ++time) {
+    kill(getpid(), SIGINT);
+    usleep(50'000);
+  }
+  if (treated_before == SIG_DFL) sleep(10);
+  std::exit(7);
+}
+
+TEST(Interruption, EndsTheProgramTidilyUnlessItIsIgnored) {
+  // Starts the program anew, where no other thread has begun.
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
   const char* said = "^whole\nfirst\nsecond\nricochet: interrupted; go on so\n$";
   EXPECT_EXIT(interrupt_itself(SIGINT), testing::ExitedWithCode(130), said);
   EXPECT_EXIT(interrupt_itself(SIGTERM), testing::ExitedWithCode(143), said);
-}
-
-TEST_F(Interruption, ThatReachesTheProgramAndItsGroupIsOne) {
-  EXPECT_EXIT(
-      {
-        std::signal(SIGINT, SIG_DFL);
-        end_tidily_when_interrupted();
-        kill(getpid(), SIGINT);
-        usleep(10'000);
-        kill(getpid(), SIGINT);
-        sleep(10);
-      },
-      testing::ExitedWithCode(130), "^ricochet: interrupted\n$");
-}
-
-TEST_F(Interruption, ThatIsIgnoredStaysIgnored) {
-  EXPECT_EXIT(
-      {
-        std::signal(SIGINT, SIG_IGN);
-        end_tidily_when_interrupted();
-        kill(getpid(), SIGINT);
-        usleep(100'000);
-        std::exit(7);
-      },
-      testing::ExitedWithCode(7), "^$");
+  EXPECT_EXIT(interrupt_itself_twice(SIG_DFL), testing::ExitedWithCode(130),
+              "^ricochet: interrupted\n$");
+  EXPECT_EXIT(interrupt_itself_twice(SIG_IGN), testing::ExitedWithCode(7), "^$");
 }
 
 /// Checks as often as it takes to look at the clock.
@@ -125,16 +111,12 @@ TEST(TimeLimit, EndsWorkWhenItIsReached) {
     EXPECT_TRUE(limit.is_reached());
     EXPECT_THROW(check_for_long(), TimeLimitReached);
     std::thread([] { EXPECT_NO_THROW(check_for_long()); }).join();
+    const TimeLimit inner(infinity);
+    EXPECT_THROW(check_for_long(), TimeLimitReached) << "the first to end holds";
   }
   EXPECT_NO_THROW(check_for_long()) << "it has ended";
   const TimeLimit long_one(infinity);
   EXPECT_NO_THROW(check_for_long());
-}
-
-TEST(TimeLimit, InsideAnotherTheFirstToEndHolds) {
-  const TimeLimit outer(1e-9);
-  const TimeLimit inner(infinity);
-  EXPECT_THROW(check_for_long(), TimeLimitReached);
 }
 
 TEST(TimeLimit, HoldsForSharedWork) {

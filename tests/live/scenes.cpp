@@ -32,98 +32,62 @@ using Numbers = std::vector<double>;
 
 double count_of(const Scene& scene) {
   try {
-    const double omega = scene.omega;
-    return counts_at(scene, std::span(&omega, 1)).front();
+    return counts_at(scene, std::span(&scene.omega, 1)).front();
   } catch (const std::runtime_error&) {
     return quiet_nan;
   }
 }
 
-/// What `get` makes of each of the items, one after the other.
-template <class Items, class Get>
-Numbers joined(const Items& items, const Get& get, Numbers numbers = {}) {
-  for (const auto& item : items)
-    for (const double x : get(item)) numbers.push_back(x);
-  return numbers;
+void add(Numbers& all, const Numbers& numbers) {
+  all.insert(all.end(), numbers.begin(), numbers.end());
 }
 
-Numbers impacts_of(const Scene& scene, double omega) {
-  const Recording recording = record(at_speed(scene, omega), 0, 0);
-  return joined(recording.impacts,
-                [](const Impact& one) {
-                  return Numbers{one.time, one.speed};
-                },
-                {static_cast<double>(recording.count)});
+void add_list(Numbers& all, const Numbers& numbers) {
+  all.push_back(static_cast<double>(numbers.size()));
+  add(all, numbers);
 }
 
-Numbers regimes_as_numbers(const Scene& scene) {
-  return joined(regimes_of(scene), [](const Regime& regime) {
-    return Numbers{regime.from, regime.to, regime.most_per_turn};
-  });
-}
-
-Numbers rule_of(const Scene& scene, const Claim& claim, const SpeedScan& scan) {
-  const Score found = score(scene, Claim{claim.threshold, {}, {}}, scan, 1);
-  return {static_cast<double>(found.quiet_count), found.threshold.value_or(quiet_nan),
-          found.first_loud.value_or(quiet_nan), found.misclassified};
-}
-
-Numbers race_of(const Machine& machine, live::Racer racer) {
-  const live::Race race{machine.scene, machine.quiet_limit, 18, 100};
-  return joined(live::steps_of(racer, race, 7), [](const live::RaceStep& one) {
-    return Numbers{one.omega, static_cast<double>(one.count)};
-  });
-}
-
-/// The border of two collisions a turn, the most collisions below it in the window, and what moves
-/// it.
-Numbers sensitivities_of(const Scene& scene) {
-  const double border = quiet_up_to(scene, quiet_per_turn, {0.01, 18}).value_or(quiet_nan);
-  const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
-  return joined(sensitivities(scene, limit, border),
-                [](const Sensitivity& one) { return Numbers{one.percent}; },
-                {border, static_cast<double>(most_collisions_below(scene, border, 1e-3))});
-}
-
-class File {
- public:
-  explicit File(const char* name) : stream_(name, std::ios::binary) {}
-
-  void add(const Numbers& numbers) {
-    stream_.write(reinterpret_cast<const char*>(numbers.data()),
-                  static_cast<std::streamsize>(numbers.size() * sizeof(double)));
-  }
-  void add_list(const Numbers& numbers) {
-    add({static_cast<double>(numbers.size())});
-    add(numbers);
-  }
-  bool close() {
-    stream_.close();
-    return !stream_.fail();
-  }
-
- private:
-  std::ofstream stream_;
-};
-
-void add_case(File& file, const Machine& machine) {
-  file.add(live::numbers_of(machine.scene));
+void add_case(Numbers& all, const Machine& machine) {
+  const Scene& scene = machine.scene;
+  add(all, live::numbers_of(scene));
   SpeedScan scan{step, {}};
   Numbers scanned;
   for (std::size_t k = 0; k < speeds; ++k) scanned.push_back(scan.omega(k));
-  scan.counts = counts_at(machine.scene, scanned);
-  file.add_list({scan.counts.begin(), scan.counts.end()});
-  file.add_list(impacts_of(machine.scene, 9));
-  file.add_list(regimes_as_numbers(machine.scene));
+  scan.counts = counts_at(scene, scanned);
+  add_list(all, {scan.counts.begin(), scan.counts.end()});
+
+  const Recording recording = record(at_speed(scene, 9.0), 0, 0);
+  Numbers impacts = {static_cast<double>(recording.count)};
+  for (const Impact& one : recording.impacts) add(impacts, {one.time, one.speed});
+  add_list(all, impacts);
+
+  Numbers regimes;
+  for (const Regime& one : regimes_of(scene)) add(regimes, {one.from, one.to, one.most_per_turn});
+  add_list(all, regimes);
+
   Claim claim;
   claim.threshold = machine.threshold;
-  file.add_list(rule_of(machine.scene, claim, scan));
+  const Score found = score(scene, claim, scan, 1);
+  add_list(all, {static_cast<double>(found.quiet_count), found.threshold.value_or(quiet_nan),
+                 found.first_loud.value_or(quiet_nan), found.misclassified});
+
   for (const auto racer :
        {live::Racer::fireworks, live::Racer::random_search, live::Racer::bisection}) {
-    file.add_list(race_of(machine, racer));
+    Numbers race;
+    for (const live::RaceStep& one :
+         live::steps_of(racer, {scene, machine.quiet_limit, 18, 100}, 7)) {
+      add(race, {one.omega, static_cast<double>(one.count)});
+    }
+    add_list(all, race);
   }
-  file.add_list({live::goal_of({machine.scene, machine.quiet_limit, 18}).value_or(quiet_nan)});
-  file.add_list(sensitivities_of(machine.scene));
+  add_list(all, {live::goal_of({scene, machine.quiet_limit, 18}).value_or(quiet_nan)});
+
+  // The border of two collisions a turn, the most collisions below it, and what moves it.
+  const double border = quiet_up_to(scene, quiet_per_turn, {0.01, 18}).value_or(quiet_nan);
+  Numbers moves = {border, static_cast<double>(most_collisions_below(scene, border, 1e-3))};
+  const Limit limit{Measure::collisions_per_turn, quiet_per_turn};
+  for (const Sensitivity& one : sensitivities(scene, limit, border)) moves.push_back(one.percent);
+  add_list(all, moves);
 }
 
 }  // namespace
@@ -131,16 +95,19 @@ void add_case(File& file, const Machine& machine) {
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const int number = std::atoi(argv[1]);
-  File file(argv[2]);
+  Numbers all = {static_cast<double>(live::numbers_of(Scene{}).size()),
+                 static_cast<double>(number)};
   RandomScenes random(2024);
-  file.add({static_cast<double>(live::numbers_of(Scene{}).size()), static_cast<double>(number)});
   for (int k = 0; k < number; ++k) {
     const Scene scene = random.next();
-    Numbers numbers = live::numbers_of(scene);
-    numbers.push_back(count_of(scene));
-    file.add(numbers);
+    add(all, live::numbers_of(scene));
+    all.push_back(count_of(scene));
   }
   const std::vector<Machine> machines = all_machines();
-  for (std::size_t k = 0; k < 4; ++k) add_case(file, machines[k]);
-  return file.close() ? 0 : 1;
+  for (std::size_t k = 0; k < 4; ++k) add_case(all, machines[k]);
+  std::ofstream file(argv[2], std::ios::binary);
+  file.write(reinterpret_cast<const char*>(all.data()),
+             static_cast<std::streamsize>(all.size() * sizeof(double)));
+  file.close();
+  return file ? 0 : 1;
 }

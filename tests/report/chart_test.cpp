@@ -7,12 +7,9 @@
 #include "tests/report/pictures.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {
-
-using testing::ElementsAre;
 
 Chart logarithmic(Chart chart) {
   chart.x.scale = chart.y.scale = Scale::logarithmic;
@@ -29,12 +26,16 @@ Chart area_chart() {
 
 TEST(Chart, RefusesWhatCannotBeDrawnAndSaysWhere) {
   const Chart line = line_chart({{0, 1}, {1, 2}}), map = heat_map_chart({{1, 2}, {3, 4}});
+  const Range empty{1, 1}, falling{2, 1};
   const auto sample = [](const Sample& one) { return line_chart({one}); };
   const auto of_size = [&](int width, int height) {
     return changed(line, [&](Chart& chart) { chart.width = width, chart.height = height; });
   };
   const auto at = [](double place) {
     return [place](Chart& chart) { chart.lines = {{Direction::vertical, place, "wall"}}; };
+  };
+  const auto area = [](auto change) {
+    return changed(area_chart(), [&](Chart& chart) { change(chart.areas[0]); });
   };
   const char* const sizes = "pixels must be between 1 and 10000";
   std::vector<Refusal<Chart>> refusals = {
@@ -45,17 +46,14 @@ TEST(Chart, RefusesWhatCannotBeDrawnAndSaysWhere) {
       {sample({0, quiet_nan}), "nan is not finite"},
       {sample({infinity, 1}), "inf is not finite"},
       {sample({0, -1e101}), "beyond 1e100"},
-      {sample({0, 1, Range{2, 1}}), "sample 0: 2 > 1 is not a range"},
+      {sample({0, 1, falling}), "sample 0: 2 > 1 is not a range"},
       {sample({.position = 0, .value = 1, .name = "dot"}), "only points have names"},
       {of_size(480, 0), "480 x 0 pixels"},
       {of_size(0, 1), sizes},
       {of_size(10001, 1), sizes},
       {of_size(1, 10001), sizes},
       {line_chart({{1, 1}, {0, 1}}), "sample 1: positions must rise"},
-      {changed(line,
-               [](Chart& chart) {
-                 chart.x.range = Range{1, 1};
-               }),
+      {changed(line, [&](Chart& chart) { chart.x.range = empty; }),
        "axis \"time [s]\": the range is empty"},
       {changed(line, at(infinity)), "reference line \"wall\": inf"},
       {logarithmic(changed(line_chart({{1, 1}}), at(0))), "reference line \"wall\": 0 must be > 0"},
@@ -63,32 +61,18 @@ TEST(Chart, RefusesWhatCannotBeDrawnAndSaysWhere) {
       {heat_map_chart({{infinity}}), "cell: inf"},
       {changed(map, [](Chart& chart) { chart.y.categories.pop_back(); }),
        "2 rows for 1 categories of y"},
-      {changed(map,
-               [](Chart& chart) {
-                 chart.heat_map->range = Range{2, 1};
-               }),
-       "colours: 2 > 1"},
+      {changed(map, [&](Chart& chart) { chart.heat_map->range = falling; }), "colours: 2 > 1"},
       {changed(map, [&](Chart& chart) { chart.series = line.series; }), "series and a heat map"},
       {changed(map, [](Chart& chart) { chart.areas = area_chart().areas; }),
        "areas and a heat map"},
-  };
+      {area([](Area& one) { one.parts[0][0].position = 9; }), "edge 1: positions must rise"},
+      {area([&](Area& one) { one.parts[0][0].between = falling; }), "edge 0: 2 > 1 is not"},
+      {area([](Area& one) { one.parts.emplace_back(); }), "\"few\": a part has no edge"},
+      {area([](Area& one) { one.shade = 1.5; }), "the shade must be within"},
+      {area([](Area& one) { one.shade = -0.5; }), "the shade must be within"}};
   for (const char* name : {"", "a/b", "A", "a b", "a{", "a`"}) {
     refusals.push_back({changed(line, [&](Chart& chart) { chart.name = name; }), "the name must"});
   }
-  using Areas = std::vector<Area>;
-  const auto areas = [](void (*change)(Areas&)) {
-    return changed(area_chart(), [&](Chart& chart) { change(chart.areas); });
-  };
-  refusals.insert(
-      refusals.end(),
-      {{areas([](Areas& all) { all[0].parts[0][0].position = 9; }), "edge 1: positions must rise"},
-       {areas([](Areas& all) {
-          all[0].parts[0][0].between = {2, 1};
-        }),
-        "edge 0: 2 > 1 is not"},
-       {areas([](Areas& all) { all[0].parts.emplace_back(); }), "\"few\": a part has no edge"},
-       {areas([](Areas& all) { all[0].shade = 1.5; }), "the shade must be within"},
-       {areas([](Areas& all) { all[0].shade = -0.5; }), "the shade must be within"}});
   expect_refusals<std::invalid_argument>([](const Chart& chart) { check(chart); }, refusals);
 }
 
@@ -136,12 +120,10 @@ TEST(CellLinks, AreThoseOfRowAndColumnAndLieOverTheCells) {
   ASSERT_TRUE(std::regex_search(svg, found, gap)) << svg;
   const double left = std::stod(found[1]), bottom = std::stod(found[2]);
   const double width = std::stod(found[3]), height = std::stod(found[4]);
-  const Json& box = data["box"];
-  EXPECT_EQ(box[1], left + width);
-  EXPECT_EQ(box[2], bottom - height);
-  // Edges of cells are on whole pixels.
-  EXPECT_NEAR(box[0].get<double>(), left - width, 1);
-  EXPECT_NEAR(box[3].get<double>(), bottom + height, 1);
+  const double whole_pixels = 1;  // of the edges of cells
+  EXPECT_THAT(data["box"].get<std::vector<double>>(),
+              ElementsAre(testing::DoubleNear(left - width, whole_pixels), left + width,
+                          bottom - height, testing::DoubleNear(bottom + height, whole_pixels)));
 }
 
 TEST(CellLinks, MustFitTheChart) {
@@ -153,9 +135,10 @@ TEST(CellLinks, MustFitTheChart) {
 }
 
 /// Position and value of each corner of each part.
-auto corners_of(const Series& series) {
-  std::vector<std::vector<std::pair<double, double>>> parts;
-  for (const auto& part : polylines(series)) {
+using Corners = std::vector<std::vector<std::pair<double, double>>>;
+Corners corners_of(Mark mark, const std::vector<Sample>& samples) {
+  Corners parts;
+  for (const auto& part : polylines({"", mark, samples})) {
     parts.emplace_back();
     for (const Sample& corner : part) parts.back().emplace_back(corner.position, *corner.value);
   }
@@ -163,17 +146,14 @@ auto corners_of(const Series& series) {
 }
 
 TEST(Polyline, LeavesGapsWhereValuesAreMissing) {
-  EXPECT_THAT(
-      corners_of({"", Mark::line, {{0, 1}, {1, 1}, {2, {}}, {3, 1}}}),
-      ElementsAre(ElementsAre(std::pair(0, 1), std::pair(1, 1)), ElementsAre(std::pair(3, 1))));
+  EXPECT_EQ(corners_of(Mark::line, {{0, 1}, {1, 1}, {2, {}}, {3, 1}}),
+            (Corners{{{0, 1}, {1, 1}}, {{3, 1}}}));
 }
 
 TEST(Polyline, GivesStepsTheirCornersAndHoldsThemUntilTheirSuccessorEvenIfThatIsUnknown) {
-  EXPECT_THAT(corners_of({"", Mark::steps, {{0, 5}, {3, 7}, {5, 7}}}),
-              ElementsAre(ElementsAre(std::pair(0, 5), std::pair(3, 5), std::pair(3, 7),
-                                      std::pair(5, 7), std::pair(5, 7))));
-  EXPECT_THAT(corners_of({"", Mark::steps, {{0, 5}, {1, {}}, {2, {}}}}),
-              ElementsAre(ElementsAre(std::pair(0, 5), std::pair(1, 5))));
+  EXPECT_EQ(corners_of(Mark::steps, {{0, 5}, {3, 7}, {5, 7}}),
+            (Corners{{{0, 5}, {3, 5}, {3, 7}, {5, 7}, {5, 7}}}));
+  EXPECT_EQ(corners_of(Mark::steps, {{0, 5}, {1, {}}, {2, {}}}), (Corners{{{0, 5}, {1, 5}}}));
 }
 
 }  // namespace

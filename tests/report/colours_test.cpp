@@ -3,54 +3,40 @@
 #include "src/report/painted.h"
 #include "tests/report/pictures.h"
 #include "tests/support/files.h"
-#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {
 
-using Triple = std::array<double, 3>;
-using Matrix = std::array<Triple, 3>;
+using Eigen::Matrix3d, Eigen::Vector3d;
 
 /// Red, green and blue, linear, 0 to 1.
-Triple linear(const std::string& colour) {
-  Triple parts{};
-  for (std::size_t i = 0; i < 3; ++i) {
+Vector3d linear(const std::string& colour) {
+  Vector3d parts;
+  for (int i = 0; i < 3; ++i) {
     const double part = std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
     parts[i] = part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
   }
   return parts;
 }
 
-Triple product(const Matrix& matrix, const Triple& x) {
-  Triple result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = matrix[i][0] * x[0] + matrix[i][1] * x[1] + matrix[i][2] * x[2];
-  return result;
-}
-
 /// Of sRGB, by the white D65 (CIE 15:2004).
-Triple cielab(const Triple& rgb) {
-  constexpr Matrix to_xyz{{{0.4124564, 0.3575761, 0.1804375},
-                           {0.2126729, 0.7151522, 0.0721750},
-                           {0.0193339, 0.1191920, 0.9503041}}};
-  constexpr Triple white{0.95047, 1.0, 1.08883};
-  Triple f = product(to_xyz, rgb);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double t = f[i] / white[i];
-    f[i] = t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
-  }
+Vector3d cielab(const Vector3d& rgb) {
+  const Matrix3d to_xyz{{0.4124564, 0.3575761, 0.1804375},
+                        {0.2126729, 0.7151522, 0.0721750},
+                        {0.0193339, 0.1191920, 0.9503041}};
+  Vector3d f = (to_xyz * rgb).cwiseQuotient(Vector3d(0.95047, 1.0, 1.08883));
+  for (double& t : f) t = t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
   return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};
 }
 
-double distance(const Triple& a, const Triple& b) {
-  return std::sqrt(std::pow(a[0] - b[0], 2) + std::pow(a[1] - b[1], 2) + std::pow(a[2] - b[2], 2));
+double distance(const Vector3d& a, const Vector3d& b) {
+  return (a - b).norm();
 }
 
 /// WCAG 2.2.
 double contrast(const std::string& a, const std::string& b) {
   const auto luminance = [](const std::string& colour) {
-    const Triple rgb = linear(colour);
-    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] + 0.05;
+    return linear(colour).dot(Vector3d(0.2126, 0.7152, 0.0722)) + 0.05;
   };
   const double ratio = luminance(a) / luminance(b);
   return std::max(ratio, 1 / ratio);
@@ -58,36 +44,32 @@ double contrast(const std::string& a, const std::string& b) {
 
 /// What dichromats see: Machado, Oliveira and Fernandes (2009), doi:10.1109/TVCG.2009.113,
 /// severity 1.
-const std::map<std::string, Matrix> visions = {{"normal", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},
-                                               {"protanopia",
-                                                {{{0.152286, 1.052583, -0.204868},
-                                                  {0.114503, 0.786281, 0.099216},
-                                                  {-0.003882, -0.048116, 1.051998}}}},
-                                               {"deuteranopia",
-                                                {{{0.367322, 0.860646, -0.227968},
-                                                  {0.280085, 0.672501, 0.047413},
-                                                  {-0.011820, 0.042940, 0.968881}}}},
-                                               {"tritanopia",
-                                                {{{1.255528, -0.076749, -0.178779},
-                                                  {-0.078411, 0.930809, 0.147602},
-                                                  {0.004733, 0.691367, 0.303900}}}}};
+const std::map<std::string, Matrix3d> visions = {
+    {"normal", Matrix3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+    {"protanopia", Matrix3d{{0.152286, 1.052583, -0.204868},
+                            {0.114503, 0.786281, 0.099216},
+                            {-0.003882, -0.048116, 1.051998}}},
+    {"deuteranopia", Matrix3d{{0.367322, 0.860646, -0.227968},
+                              {0.280085, 0.672501, 0.047413},
+                              {-0.011820, 0.042940, 0.968881}}},
+    {"tritanopia", Matrix3d{{1.255528, -0.076749, -0.178779},
+                            {-0.078411, 0.930809, 0.147602},
+                            {0.004733, 0.691367, 0.303900}}}};
 
-Triple seen(const std::string& colour, const Matrix& vision) {
-  Triple rgb = product(vision, linear(colour));
-  for (double& part : rgb) part = std::clamp(part, 0.0, 1.0);
-  return cielab(rgb);
+Vector3d seen(const std::string& colour, const Matrix3d& vision) {
+  return cielab((vision * linear(colour)).cwiseMax(0).cwiseMin(1));
 }
 
 std::vector<std::string> series_colours() {
   Chart chart = line_chart({});
   chart.series.assign(7, {});
   std::vector<std::string> colours;
-  for (std::size_t i = 0; i < chart.series.size(); ++i) colours.push_back(look_of(chart, i).colour);
+  for (std::size_t i = 0; i < 7; ++i) colours.push_back(look_of(chart, i).colour);
   return colours;
 }
 
 std::string template_text(const std::string& name) {
-  return text_of(std::filesystem::path(RICOCHET_SOURCE) / "reports/templates" / name);
+  return text_of(fs::path(RICOCHET_SOURCE) / "reports/templates" / name);
 }
 
 /// What the style makes of a colour of lines and of areas on a dark screen.
@@ -119,9 +101,9 @@ TEST(Colours, OfSevenSeriesDifferForEveryReaderInTheLightAndInTheDark) {
     list += (list.empty() ? "\"" : ", \"") + colour + "\"";
   }
   expect_apart(series_colours());
-  ASSERT_THAT(dark, testing::Each(testing::StartsWith("#")));
+  ASSERT_THAT(dark, Each(StartsWith("#")));
   expect_apart(dark);
-  EXPECT_THAT(template_text("charts.js"), testing::HasSubstr("const colours = [" + list + "]"))
+  EXPECT_THAT(template_text("charts.js"), HasSubstr("const colours = [" + list + "]"))
       << "charts by scripts have the same";
 }
 
@@ -149,7 +131,8 @@ TEST(Colours, OfHeatMapsRiseInLightnessOrDivergeFromNearlyWhite) {
   for (const double side : {-1, 1}) {
     const double mean = distance(diverging(0.5), diverging(0.5 + 0.5 * side)) / 10;
     for (int i = 0; i < 10; ++i) {
-      const Triple from = diverging(0.5 + side * i / 20), to = diverging(0.5 + side * (i + 1) / 20);
+      const Vector3d from = diverging(0.5 + side * i / 20),
+                     to = diverging(0.5 + side * (i + 1) / 20);
       EXPECT_NEAR(distance(from, to), mean, 0.15 * mean) << side * i;
       EXPECT_NEAR(to[0], diverging(0.5 - side * (i + 1) / 20)[0], 1) << side * i;
     }

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <optional>
-#include <ostream>
 #include <pugixml.hpp>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "src/report/chart.h"
 #include "src/report/svg.h"
 #include "src/report/text.h"
+#include "tests/support/test.h"
 
 /// Charts for tests, and their pictures as they are read back.
 namespace ricochet::report {
@@ -44,10 +36,9 @@ using Cells = std::vector<std::vector<std::optional<double>>>;
 inline Chart heat_map_chart(const Cells& rows) {
   Chart chart{
       .name = "map", .title = "A map", .x = {.label = "restitution"}, .y = {.label = "friction"}};
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    chart.y.categories.push_back("r" + std::to_string(i));
-  for (std::size_t i = 0; i < rows.front().size(); ++i)
-    chart.x.categories.push_back("c" + std::to_string(i));
+  for (std::size_t i = 0; i < rows.size(); ++i) chart.y.categories.push_back(fmt::format("r{}", i));
+  for (std::size_t i = 0; i < rows[0].size(); ++i)
+    chart.x.categories.push_back(fmt::format("c{}", i));
   chart.heat_map = HeatMap{"threshold [rad/s]", rows};
   return chart;
 }
@@ -114,26 +105,18 @@ class ReadSvg {
     std::vector<ReadPath> found;
     for (const pugi::xpath_node& one : document_.select_nodes("//path")) {
       const pugi::xml_node node = one.node();
-      if (value != node.attribute(attribute).value() &&
-          value != node.parent().attribute(attribute).value())
-        continue;
-      found.push_back({node, lines_in(node.attribute("d").value())});
+      if (value == node.attribute(attribute).value() ||
+          value == node.parent().attribute(attribute).value())
+        found.push_back({node, lines_in(node.attribute("d").value())});
     }
     return found;
   }
 
-  std::size_t lines_of(const char* attribute, const std::string& value) const {
-    std::size_t lines = 0;
-    for (const ReadPath& path : paths(attribute, value)) lines += path.lines.size();
-    return lines;
-  }
-
   /// All texts, as a reader sees them, a line each.
   std::string text() const {
-    std::string text;
-    for (const pugi::xpath_node& one : document_.select_nodes("//text"))
-      text += std::string(one.node().child_value()) + "\n";
-    return text;
+    std::string all;
+    for (const ReadText& one : texts()) all += one.text + "\n";
+    return all;
   }
 
   std::vector<ReadText> texts() const {
@@ -158,7 +141,7 @@ class ReadSvg {
                       std::min(text.box.top, below), std::max(text.box.bottom, below)};
         }
       }
-      found.push_back(std::move(text));
+      found.push_back(text);
     }
     return found;
   }
@@ -175,13 +158,6 @@ class ReadSvg {
       if (text.ends_with("…") && length < 400) cut += text + ": is shortened\n";
     }
     return cut;
-  }
-
-  std::vector<std::string> ids() const {
-    std::vector<std::string> ids;
-    for (const pugi::xpath_node& one : document_.select_nodes("//@id"))
-      ids.emplace_back(one.attribute().value());
-    return ids;
   }
 
  private:

@@ -1,7 +1,6 @@
 #include "src/report/frame.h"
 #include "src/report/svg.h"
 #include "tests/report/pictures.h"
-#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {
@@ -26,22 +25,11 @@ class RandomCharts {
   bool maybe() { return whole(0, 1) == 1; }
 
   std::string text() {
-    static const std::vector<std::string> parts = {"a",
-                                                   "speed [rad/s] ",
-                                                   "<b>",
-                                                   "&amp;",
-                                                   "'",
-                                                   "\"",
-                                                   "ω²",
-                                                   "]]>",
-                                                   "\xff",
-                                                   "\x02",
-                                                   "%",
-                                                   "  ",
-                                                   "a-very-long-name-without-any-space-"};
+    static const std::string parts[] = {
+        "a",  "speed [rad/s] ",    "<b>", "&amp;", "'", "\"", "ω²", "]]>", "\xff", "\x02", "%",
+        "  ", std::string(35, 'n')};
     std::string text;
-    for (int i = whole(0, 8); i > 0; --i)
-      text += parts[static_cast<std::size_t>(whole(0, static_cast<int>(parts.size()) - 1))];
+    for (int i = whole(0, 8); i > 0; --i) text += parts[whole(0, 12)];
     return text;
   }
 
@@ -107,17 +95,15 @@ class RandomCharts {
   std::mt19937_64 random_;
 };
 
-/// Of a corner of a mark whose middle is inside.
-constexpr double reach = 4.6;
-
 void expect_inside(const std::vector<ReadPath>& paths, const Box& plot, int number) {
+  const double reach = 4.6;  // of a corner of a mark whose middle is inside
   for (const ReadPath& path : paths) {
     if (path.node.attribute("clip-path")) continue;
     for (const auto& line : path.lines) {
-      for (const Pixel& corner : line) {
-        EXPECT_TRUE(corner.x >= plot.left - reach && corner.x <= plot.right + reach &&
-                    corner.y >= plot.top - reach && corner.y <= plot.bottom + reach)
-            << "chart " << number << ": " << corner.x << ", " << corner.y;
+      for (const auto [x, y] : line) {
+        EXPECT_TRUE(x >= plot.left - reach && x <= plot.right + reach && y >= plot.top - reach &&
+                    y <= plot.bottom + reach)
+            << "chart " << number << ": " << x << ", " << y;
       }
     }
   }
@@ -140,17 +126,14 @@ TEST(RandomCharts, AreWellFormedWithAllMarksInsideThePlot) {
     const Chart chart = random.next();
     const Box plot = frame_of(chart).plot;
     const ReadSvg svg(to_svg(chart));
-    std::vector<ReadPath> found;
+    std::vector<ReadPath> found =
+        chart.heat_map ? svg.paths("shape-rendering", "crispEdges") : svg.paths("fill", "none");
     if (!chart.heat_map) expect_clips_to(svg, plot);
     // Without labels there is no legend: all but the axes and the grid are marks.
-    if (chart.heat_map) {
-      found = svg.paths("shape-rendering", "crispEdges");
-    } else {
-      for (const ReadPath& path : svg.paths("fill", "none")) {
-        const std::string stroke = path.node.attribute("stroke").value();
-        if (stroke != "#e4e4e4" && stroke != "#888888") found.push_back(path);
-      }
-    }
+    std::erase_if(found, [](const ReadPath& path) {
+      const std::string stroke = path.node.attribute("stroke").value();
+      return stroke == "#e4e4e4" || stroke == "#888888";
+    });
     expect_inside(found, plot, i);
     marks += found.size();
   }
@@ -161,8 +144,8 @@ TEST(RandomCharts, HaveAllPathsAndTextsInThePicture) {
   RandomCharts random(29);
   for (int i = 0; i < charts && !testing::Test::HasFailure(); ++i) {
     Chart chart = random.next();
-    int number = 0;
-    for (Series& series : chart.series) series.label = "series " + std::to_string(++number);
+    for (Series& series : chart.series)
+      series.label = fmt::format("series {}", 1 + &series - chart.series.data());
     for (ReferenceLine& line : chart.lines) line.label = "a line that is there to be looked at";
     const ReadSvg svg(to_svg(chart));
     const double width = svg.root().attribute("width").as_double();

@@ -9,18 +9,9 @@
 #include "tests/support/files.h"
 #include "tests/support/golden.h"
 #include "tests/support/numbers.h"
-#include "tests/support/test.h"
 
 namespace ricochet::report {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::FieldsAre;
-using testing::HasSubstr;
-using testing::Not;
-
-constexpr const char* first_colour = "#0072b2";
 
 std::string texts_of(const Chart& chart) {
   return ReadSvg(to_svg(chart)).text();
@@ -101,6 +92,7 @@ TEST(Svg, AndTheNumbersOfEveryKindOfChartAreAsTheyWere) {
     if (chart.name != "many" && chart.name != "large") numbers += csv_of(chart) + "\n";
   }
   expect_golden(stacked(pictures), "charts.svg");
+  EXPECT_EQ(stacked({pictures[0]}), pictures[0]);
   expect_golden(numbers, "charts.csv");
 }
 
@@ -110,27 +102,19 @@ TEST(Svg, IsWellFormedAndPointsToItsOwnIdsWhichNoOtherChartHas) {
   int references = 0;
   for (const Chart& chart : gallery()) {
     const std::string svg = to_svg(chart);
-    EXPECT_THAT(svg, AllOf(testing::StartsWith("<svg class=\"ricochet-chart\""),
-                           HasSubstr("role=\"img\""), Not(HasSubstr("<script"))));
-    const std::vector<std::string> own = ReadSvg(svg).ids();
+    EXPECT_THAT(svg, AllOf(StartsWith("<svg class=\"ricochet-chart\""), HasSubstr("role=\"img\""),
+                           Not(HasSubstr("<script"))));
+    const ReadSvg picture(svg);
+    std::set<std::string> own;
+    for (const auto& id : picture.root().select_nodes("//@id"))
+      EXPECT_TRUE(all.insert(*own.insert(id.attribute().value()).first).second) << svg;
     EXPECT_GE(own.size(), 2U);
-    for (const std::string& id : own) EXPECT_TRUE(all.insert(id).second) << id;
     for (std::sregex_iterator it(svg.begin(), svg.end(), pattern), end; it != end; ++it) {
-      EXPECT_THAT(own, testing::Contains((*it)[1].str()));
+      EXPECT_THAT(own, Contains((*it)[1].str()));
       ++references;
     }
   }
   EXPECT_GT(references, 5);
-}
-
-TEST(Svg, IsStackedOnAnother) {
-  const Chart above = gallery()[0], below = gallery()[1];
-  EXPECT_EQ(stacked({to_svg(above)}), to_svg(above));
-  const ReadSvg both(stacked({to_svg(above), to_svg(below)}));
-  EXPECT_EQ(both.root().attribute("height").as_int(), above.height + below.height);
-  EXPECT_EQ(both.root().child("svg").attribute("y").as_int(), 0);
-  EXPECT_EQ(both.root().last_child().attribute("y").as_int(), above.height);
-  EXPECT_EQ(both.text(), texts_of(above) + texts_of(below));
 }
 
 TEST(Svg, PutsValuesWhereTheAxesSayAndDecadesAtEqualDistances) {
@@ -139,7 +123,7 @@ TEST(Svg, PutsValuesWhereTheAxesSayAndDecadesAtEqualDistances) {
   chart.x.range = Range{1, 100};
   chart.y.range = Range{0, 100};
   const Box plot = frame_of(chart).plot;
-  const auto paths = ReadSvg(to_svg(chart)).paths("stroke", first_colour);
+  const auto paths = ReadSvg(to_svg(chart)).paths("stroke", "#0072b2");
   ASSERT_EQ(paths.size(), 1U);
   const auto is_at = [](double x, double y) {
     return FieldsAre(testing::DoubleNear(x, 0.1), testing::DoubleNear(y, 0.1));
@@ -172,10 +156,8 @@ TEST(Svg, KeepsSpecialCharactersInEveryLabel) {
 
 TEST(Svg, ReplacesWhatXmlCannotHold) {
   Chart chart = line_chart({{0, 1}, {1, 2}});
-  chart.title = std::string(
-                    "a\x01\x1b"
-                    "b\tc \xff d ") +
-                '\0' + "e";
+  using namespace std::string_literals;
+  chart.title = "a\001\033b\tc \xff d \0e"s;
   EXPECT_THAT(texts_of(chart), HasSubstr("a  b c \xEF\xBF\xBD d  e\n"));
 }
 
@@ -211,10 +193,9 @@ TEST(Svg, NamesPointsWhereThereIsRoomAndPaleOnesOnlyNearby) {
   Chart chart = line_chart({{0, 1, Range{0.5, 2}, "first"}, {4, 3, {}, "second"}});
   chart.series[0].mark = Mark::points;
   chart.series.push_back({"", Mark::points, std::vector<Sample>(40, {2, 2, {}, "crowd"}), true});
-  const std::string text = texts_of(chart);
-  EXPECT_THAT(text, AllOf(HasSubstr("first"), HasSubstr("second"), HasSubstr("crowd")));
-  const std::vector<std::string> lines = lines_of(text);
-  EXPECT_LT(std::ranges::count(lines, "crowd"), 9);
+  const std::vector<std::string> names = lines_of(texts_of(chart));
+  EXPECT_THAT(names, testing::IsSupersetOf({"first", "second", "crowd"}));
+  EXPECT_LT(std::ranges::count(names, "crowd"), 9);
 }
 
 TEST(Svg, KeepsAStepCurveOfManyEqualSamplesSmall) {
@@ -226,9 +207,8 @@ TEST(Svg, KeepsAStepCurveOfManyEqualSamplesSmall) {
 
 TEST(ReferenceCharts, HaveTheirTextsWholeAndInThePicture) {
   int charts = 0;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(RICOCHET_SOURCE "/reports/reference")) {
-    const std::filesystem::path& file = entry.path();
+  for (const fs::path& file :
+       fs::recursive_directory_iterator(RICOCHET_SOURCE "/reports/reference")) {
     const bool by_hand = file.stem() == "machine-sketch" || file.stem() == "machine";  // in groups
     if (file.extension() != ".svg" || by_hand) continue;
     EXPECT_EQ(ReadSvg(text_of(file)).cut_texts(), "") << file;
@@ -305,12 +285,11 @@ TEST(DrawnChart, IsThePictureOrElseTheReasonInWords) {
   const Chart chart = line_chart({{0, 1}, {1, 2}});
   const DrawnChart drawn = draw(chart);
   EXPECT_TRUE(drawn.is_drawn());
-  EXPECT_THAT(html_of(chart, drawn), testing::StartsWith(to_svg(chart)));
+  EXPECT_THAT(html_of(chart, drawn), StartsWith(to_svg(chart)));
   EXPECT_EQ(markdown_of(drawn), "![A title](chart.svg)");
 
-  Chart wrong = line_chart({{0, quiet_nan}});
-  wrong.name = "wrong";
-  wrong.title = "Wrong <one>";
+  const Chart wrong = changed(line_chart({{0, quiet_nan}}),
+                              [](Chart& one) { one.name = "wrong", one.title = "Wrong <one>"; });
   const DrawnChart none = draw(wrong);
   EXPECT_FALSE(none.is_drawn());
   EXPECT_EQ(failure_of(none),
@@ -326,8 +305,10 @@ TEST(DrawnChart, IsThePictureOrElseTheReasonInWords) {
 
 TEST(Failures, EndACommandIfThereAreAny) {
   EXPECT_NO_THROW(require_none({}));
-  const auto fail = [] { require_none({"chart a", "chart b"}); };
-  EXPECT_THAT(fail, testing::ThrowsMessage<std::runtime_error>("chart a; chart b"));
+  EXPECT_THAT(([] {
+                require_none({"chart a", "chart b"});
+              }),
+              testing::ThrowsMessage<std::runtime_error>("chart a; chart b"));
 }
 
 }  // namespace

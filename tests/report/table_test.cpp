@@ -3,13 +3,9 @@
 #include "src/report/json.h"
 #include "tests/support/golden.h"
 #include "tests/support/numbers.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// Runs of two solvers on two problems.
 Table runs() {
@@ -106,8 +102,8 @@ TEST(Table, JoinsTheFirstMatch) {
   Table kinds{"kinds", {{"solver"}, {"kind"}}};
   kinds.add("a", "local");
   kinds.add("a", "again");
-  const Table joint = joined(runs(), kinds, {"solver"});
-  EXPECT_THAT(column(joint, "kind"), ElementsAre("", "local", "", "local"));
+  EXPECT_THAT(column(joined(runs(), kinds, {"solver"}), "kind"),
+              ElementsAre("", "local", "", "local"));
 }
 
 TEST(Table, IsWrittenAsCsvLatexMarkdownAndText) {
@@ -130,13 +126,13 @@ TEST(Table, IsWrittenInBatches) {
   const auto in_batches = [&](const auto& write) {
     return write(first, Lines::head) + write(first, Lines::rows) + write(rest, Lines::rows);
   };
-  EXPECT_EQ(in_batches([](const Table& t, Lines lines) { return csv_of(t, lines); }),
-            csv_of(runs()));
-  EXPECT_EQ(in_batches([](const Table& t, Lines lines) { return markdown_of(t, SIZE_MAX, lines); }),
-            markdown_of(runs()));
-  EXPECT_THAT(latex_of(runs()), HasSubstr(in_batches([](const Table& t, Lines lines) {
-                                            return latex_of(t, lines);
-                                          }).substr(latex_of(first, Lines::head).size())));
+  const auto csv = [](const Table& t, Lines lines) { return csv_of(t, lines); };
+  const auto markdown = [](const Table& t, Lines lines) { return markdown_of(t, SIZE_MAX, lines); };
+  const auto latex = [](const Table& t, Lines lines) { return latex_of(t, lines); };
+  EXPECT_EQ(in_batches(csv), csv_of(runs()));
+  EXPECT_EQ(in_batches(markdown), markdown_of(runs()));
+  EXPECT_THAT(latex_of(runs()),
+              HasSubstr(in_batches(latex).substr(latex_of(first, Lines::head).size())));
 }
 
 TEST(Table, HasExactNumbersAndNoLabelThatIsReadAsMissingInCsv) {
@@ -148,16 +144,14 @@ TEST(Table, HasExactNumbersAndNoLabelThatIsReadAsMissingInCsv) {
     const std::string row = csv_of(table, Lines::rows);
     const double read = std::strtod(row.c_str(), nullptr);
     EXPECT_TRUE(read == number || std::isnan(number)) << row;
-    EXPECT_THAT(row, testing::EndsWith(",missing-value\n"));
+    EXPECT_THAT(row, EndsWith(",missing-value\n"));
   }
   table.rows = {{-infinity, std::string("two\nlines")}};
   EXPECT_EQ(csv_of(table, Lines::rows), "-inf,two\\x0alines\n");
 }
 
 TEST(Table, IsAListOfObjectsInJson) {
-  Table table = runs();
-  table.rows[3][2] = infinity;
-  const report::Json rows = json_rows_of(table);
+  const report::Json rows = json_rows_of(runs());
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].dump(), R"({"solver":"b","problem":"p","gap":2.5,"solved":true})");
   EXPECT_TRUE(rows[2]["gap"].is_null());

@@ -1,16 +1,20 @@
 #include "src/report/text.h"
 
+#include <regex>
+
+#include "ricochet/error.h"
 #include "src/report/drawing.h"
 #include "src/report/json.h"
+#include "src/report/report.h"
+#include "src/report/report_files.h"
 #include "tests/support/files.h"
 #include "tests/support/numbers.h"
-#include "tests/support/test.h"
+#include "tests/support/refusals.h"
+
+/// Texts, data and files of reports.
 
 namespace ricochet::report {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(Text, OfMarkdownKeepsNamesReadableAndHasNoLinksOfItsOwn) {
   EXPECT_EQ(escape_markdown("lbfgs_b *x* _y_ <z>"), "lbfgs_b \\*x\\* \\_y\\_ &lt;z>");
@@ -25,7 +29,7 @@ TEST(Text, HasValuesInItsSlots) {
 TEST(ScriptText, HasTheSameDataAndEndsNoScript) {
   const Json data = {"</script><b>", "a < b"};
   const std::string text = json_in_script(data.dump());
-  EXPECT_EQ(text.find('<'), std::string::npos);
+  EXPECT_THAT(text, Not(HasSubstr("<")));
   EXPECT_EQ(Json::parse(text), data);
 }
 
@@ -118,20 +122,14 @@ TEST(StructAsJson, HasItsMembersInOrderAndIsReadBack) {
                          R"({"number":null,"numbers":[1.0,null]}]})");
   const Json finite = Whole{"C1", 3, {{0.5, {1, 2}}}};
   EXPECT_EQ(Json(finite.get<Whole>()), finite);
-  const Json without = Whole{"C1", {}, {}};
-  EXPECT_TRUE(without["count"].is_null());
-  EXPECT_FALSE(without.get<Whole>().count);
+  EXPECT_TRUE(Json(Whole{"C1", {}, {}})["count"].is_null());
 }
 
 TEST(StructAsJson, IsNotReadFromAnotherVersion) {
-  Json json = Whole{"C1", 3, {}};
-  json.erase("parts");
-  EXPECT_THROW(json.get<Whole>(), Json::exception);
-  json["parts"] = 7;
-  EXPECT_THROW(json.get<Whole>(), Json::exception);
-  json["parts"] = Json::array();
-  json.erase("count");  // the same as null
-  EXPECT_FALSE(json.get<Whole>().count);
+  for (const char* json : {R"({"case":"C1","count":3})", R"({"case":"C1","count":3,"parts":7})"})
+    EXPECT_THROW(Json::parse(json).get<Whole>(), Json::exception);
+  // What is left out is the same as null.
+  EXPECT_FALSE(Json::parse(R"({"case":"C1","parts":[]})").get<Whole>().count);
 }
 
 TEST(Counted, HasThePluralBesideAllButOne) {
@@ -148,6 +146,81 @@ TEST(SecondsText, HasTheUnitThatMakesANumberOfAtLeastOne) {
   EXPECT_EQ(seconds_text(0.0123), "12.3 ms");
   EXPECT_EQ(seconds_text(1), "1 s");
   EXPECT_EQ(seconds_text(0.01234, 2), "12 ms");
+}
+
+using ReportFiles = TemporaryFolder;
+
+/// Each name in a folder with its text, which of a folder and of a manifest is "".
+using Content = std::map<std::string, std::string>;
+Content content_of(const fs::path& folder) {
+  Content found;
+  for (const fs::path& path : fs::directory_iterator(folder)) {
+    const bool is_text = fs::is_regular_file(path) && path.filename() != "manifest.txt";
+    found[path.filename()] = is_text ? text_of(path) : "";
+  }
+  return found;
+}
+
+TEST_F(ReportFiles, ReplaceAnEarlierReportAndNothingElse) {
+  const fs::path folder = folder_ / "a" / "b";
+  replace_files(folder, {{"old.svg", "old"}, {"both.svg", "1"}, {"changed.svg", "old"}});
+  write_file(folder / "notes.txt", "mine");
+  write_file(folder / "logo.svg", "old");
+  write_file(folder / "changed.svg", "by the user");
+  replace_files(folder, {{"both.svg", "2"}, {"new.svg", "new"}});
+  EXPECT_EQ(content_of(folder), (Content{{"manifest.txt", ""},
+                                         {"both.svg", "2"},
+                                         {"new.svg", "new"},
+                                         {"notes.txt", "mine"},
+                                         {"logo.svg", "old"},
+                                         {"changed.svg", "by the user"}}));
+}
+
+TEST_F(ReportFiles, OfAManifestThatSomeoneWroteTouchNothingElsewhere) {
+  for (const char* folder : {"a", "b"}) replace_files(folder_ / folder, {{"old.svg", "old"}});
+  const fs::path manifest = folder_ / "a" / "manifest.txt";
+  write_file(manifest, std::regex_replace(text_of(manifest), std::regex("old"), "../b/old"));
+  replace_files(folder_ / "a", {{"new.svg", "new"}});
+  EXPECT_TRUE(fs::exists(folder_ / "b" / "old.svg"));
+}
+
+TEST_F(ReportFiles, AreNotWrittenIntoAFolderThatCannotBe) {
+  const fs::path file = write_file(folder_ / "file", "mine");
+  for (const fs::path& folder : {file, file / "deeper" / "still"}) {
+    EXPECT_THAT(complaint_of([&] {
+                  replace_files(folder, {{"new.svg", "new"}});
+                }),
+                AllOf(HasSubstr(file.string()), Not(HasSubstr("\n"))));
+  }
+  EXPECT_EQ(content_of(folder_), (Content{{"file", "mine"}}));
+}
+
+TEST_F(ReportFiles, StayAsTheyWereIfOneCannotBeReplaced) {
+  replace_files(folder_, {{"index.html", "before"}, {"old.svg", "old"}});
+  fs::create_directory(folder_ / "new.svg");
+  EXPECT_THROW(replace_files(folder_, {{"index.html", "after"}, {"new.svg", "new"}}), InputError);
+  EXPECT_EQ(
+      content_of(folder_),
+      (Content{
+          {"index.html", "before"}, {"manifest.txt", ""}, {"old.svg", "old"}, {"new.svg", ""}}));
+}
+
+/// Results that no page fits: drawing them fails.
+Json unfit(const char* report) {
+  return {{"report", report}, {"computed", "for hours"}};
+}
+
+TEST_F(ReportFiles, KeepTheDataOfAllPagesOfAReportThatCannotBeDrawn) {
+  Json data = unfit("comparison");
+  for (const char* name : {"one", "two"})
+    data["pages"].push_back({{"folder", name}, {"data", unfit("comparison_family")}});
+  EXPECT_THROW(static_cast<void>(write_report(data, folder_)), std::logic_error);
+  const auto kept = [&](const char* folder) {
+    return data_in(text_of(folder_ / folder / "data.json"));
+  };
+  data["pages"] = {"one", "two"};
+  EXPECT_EQ(kept(""), data);
+  for (const char* name : {"one", "two"}) EXPECT_EQ(kept(name), unfit("comparison_family"));
 }
 
 }  // namespace

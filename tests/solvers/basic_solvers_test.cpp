@@ -1,9 +1,8 @@
-// Random search, scan, bisection, golden section, and continuation.
+// Random search, scan, bisection, golden section, continuation, and the trust region of Ceres.
 
 #include "solvers/library_solvers.h"
 #include "src/core/instance.h"
 #include "tests/solvers/solve.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
@@ -26,27 +25,21 @@ TEST(RandomSearch, BeginsAtTheStartAndThenFillsTheBoxEvenly) {
 TEST(Scan, IsAnEvenGridAfterAPowerOfTwoAndOneEvaluations) {
   std::vector<double> mirrored;
   for (std::uint64_t k = 0; k < 9; ++k) mirrored.push_back(van_der_corput(k));
-  EXPECT_THAT(mirrored,
-              testing::ElementsAre(0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875, 0.0625));
+  EXPECT_THAT(mirrored, ElementsAre(0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875, 0.0625));
   const Problem problem = box_problem("even", 1, 2, 18, 9, [](const Vector&) { return 0.0; });
-  std::vector<double> asked, grid;
+  std::vector<double> asked, grid(17);
   for (const Vector& x : asked_points(problem, scan(), 17, 0)) asked.push_back(x[0]);
-  for (int k = 2; k <= 18; ++k) grid.push_back(k);
+  std::iota(grid.begin(), grid.end(), 2);
   EXPECT_THAT(asked, testing::UnorderedElementsAreArray(grid));
 }
 
-TEST(Bisection, HalvesTheIntervalThatHoldsTheLimit) {
-  // Both ends, then the start, then 18 / 2^k.
-  const TrueValues best = best_of(run(limited(7), bisection(), {2 + 1 + 12}, 0));
-  EXPECT_NEAR(best.objective, -7, 18 / 4096.0);
-  EXPECT_LE(best.violation, 0);
-}
-
-TEST(Bisection, HandsOverAFeasiblePointAtTheLimit) {
-  const RunRecord record = run(limited(7), bisection(), {40}, 0);
-  ASSERT_TRUE(record.returned);
-  EXPECT_NEAR(record.returned->x[0], 7, 1e-6);
-  EXPECT_LE(record.returned->true_values.violation, 0);
+TEST(Bisection, HalvesTheIntervalAndHandsOverAFeasiblePointAtTheLimit) {
+  for (const int halvings : {12, 37}) {  // after both ends and the start
+    const RunRecord record = run(limited(7), bisection(), {2 + 1 + halvings}, 0);
+    ASSERT_TRUE(record.returned);
+    EXPECT_NEAR(record.returned->x[0], 7, std::max(1e-6, 18 * std::ldexp(1, -halvings)));
+    EXPECT_EQ(record.returned->true_values.violation, 0);
+  }
   Problem problem = limited(7);
   problem.best_point = Vector::Constant(1, 7);
   for (int number = 1; number <= 10; ++number) {  // some of whose boxes are reflected
@@ -84,7 +77,6 @@ Problem step_problem(double rise, double smoothing) {
     return TrueValues{-x[0], x[0] > 8 ? std::max(0.0, rise - 2.5) : 0.0};
   };
   problem.smoothed = [rise](double narrower) { return step_problem(rise, narrower); };
-  problem.best_known = rise > 2.5 ? -8.0 : -18.0;
   return problem;
 }
 
@@ -113,28 +105,113 @@ TEST(Continuation, GoesFromWideToNarrowAndLooksAtTheTrueValuesLast) {
   EXPECT_TRUE(std::is_sorted(smoothings.rbegin(), smoothings.rend()));
 }
 
-// A budget may end between two smoothing parameters, before the next has shown a point.
-TEST(Continuation, ReturnsItsBestPointWhereverTheBudgetEnds) {
-  for (const Problem& problem : {sphere(2, 3), disc()}) {
-    int compared = 0;
-    for (std::int64_t budget = 1; budget <= 200; ++budget) {
-      const RunRecord record = run(problem, continuation(solver_named("nlopt-slsqp")), {budget}, 0);
-      if (record.trace.empty()) continue;
-      ASSERT_TRUE(record.returned) << problem.name << ", " << budget;
-      EXPECT_FALSE(better(best_of(record), record.returned->true_values))
-          << problem.name << ", " << budget;
-      ++compared;
-    }
-    EXPECT_GT(compared, 100);
+/// A problem of two variables that is half the sum of the squares of `residuals`.
+template <class Function>
+Problem least_squares(const Vector& lower, const Vector& upper, const Vector& start,
+                      Function residuals) {
+  Problem problem = box_problem("least-squares", 2, 0, 0, 0, [residuals](const Vector& x) {
+    return residuals(x).values.squaredNorm() / 2;
+  });
+  std::tie(problem.lower, problem.upper, problem.start) = std::tie(lower, upper, start);
+  problem.residuals = residuals;
+  return problem;
+}
+
+/// Half of Rosenbrock's function, Computer Journal 3 (1960) 175-184, from his start; `unit` is that
+/// of the residuals. Without bounds the optimum is 0 at (1, 1).
+Problem half_rosenbrock(const Vector& upper = Vector{{3, 4}}, double unit = 1) {
+  return least_squares(Vector{{-2, -2}}, upper, Vector{{-1.2, 1.0}}.cwiseMin(upper),
+                       [unit](const Vector& x) {
+                         return Residuals{unit * Vector{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}},
+                                          unit * Matrix{{-20 * x[0], 10.0}, {-1.0, 0.0}}};
+                       });
+}
+
+Vector converged(const Problem& problem, std::int64_t budget) {
+  const Solved end = solved(problem, ceres_least_squares(), budget);
+  EXPECT_EQ(end.reason, "converged");
+  return end.best->x;
+}
+
+TEST(CeresLeastSquares, FollowsACurvedValleyWhateverTheUnitOfTheResiduals) {
+  for (const double unit : {1.0, 1e-6, 1e6}) {
+    const Vector x = converged(half_rosenbrock(Vector{{3, 4}}, unit), unit == 1 ? 300 : 1000);
+    EXPECT_LT((x - Vector{{1, 1}}).norm(), unit == 1 ? 1e-9 : 1e-6) << unit;
   }
 }
 
-TEST(Continuation, TakesWhatItsSolverTakesIfThatCanBeSmoothed) {
-  const Solver solver = continuation(solver_named("nlopt-slsqp"));
-  EXPECT_EQ(solver.name, "continuation-nlopt-slsqp");
-  EXPECT_TRUE(solver.capabilities.needs_smoothing);
-  EXPECT_TRUE(solver.accepts(step_problem(3, 0.25)));
-  EXPECT_FALSE(continuation(solver_named("nlopt-lbfgs")).accepts(step_problem(3, 0.25)));
+TEST(CeresLeastSquares, GoesStraightToAnOptimumInACorner) {
+  const Solved end = solved(sphere(2, 130), ceres_least_squares(), 300);
+  EXPECT_EQ(end.reason, "converged");
+  EXPECT_EQ(end.best->x, (Vector{{100, 100}}));
+  EXPECT_EQ(end.ledger.derivatives, 3) << "it knows the bounds, but asks twice at the end";
+}
+
+TEST(CeresLeastSquares, FindsTheBestOfABoundThatEndsTheValleyOrCrossesIt) {
+  // The best y for every x is x^2, and leaves (1 - x)^2 / 2; the optimum (1, 1) is beyond.
+  for (const Vector& upper : {Vector{{0.5, 4}}, Vector{{3, 0.3}}}) {
+    const Problem problem = half_rosenbrock(upper);
+    const Eigen::Index bound = upper[0] == 0.5 ? 0 : 1;
+    double lowest = infinity;
+    for (int i = 0; i <= 20000; ++i) {
+      Vector x = upper;
+      x[1 - bound] = -2 + 5 * i / 20000.0;
+      lowest = std::min(lowest, problem.evaluate(x).objective);
+    }
+    const Vector x = converged(problem, 3000);
+    EXPECT_NEAR(x[bound], upper[bound], 1e-12);
+    // Where a bound stops one of two coupled variables, Ceres stops short of the optimum.
+    EXPECT_NEAR(problem.evaluate(x).objective, lowest, 0.01 * lowest);
+  }
+}
+
+/// y = b0 (1 - exp(-b1 x)), from the farther of the two starts.
+/// Source: Misra1a of the Statistical Reference Datasets of NIST,
+/// https://www.itl.nist.gov/div898/strd/nls/data/misra1a.shtml.
+Problem misra() {
+  const Vector x{{77.6, 114.9, 141.1, 190.8, 239.9, 289.0, 332.8, 378.4, 434.8, 477.3, 536.8, 593.1,
+                  689.1, 760.0}};
+  const Vector y{{10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02, 44.82, 50.76, 55.05, 61.01,
+                  66.40, 75.47, 81.78}};
+  return least_squares(Vector{{100, 1e-5}}, Vector{{1000, 1e-2}}, Vector{{500, 1e-4}},
+                       [x, y](const Vector& b) {
+                         const Vector decay = (-b[1] * x).array().exp();
+                         Matrix jacobian(x.size(), 2);
+                         jacobian << 1 - decay.array(), b[0] * x.array() * decay.array();
+                         return Residuals{b[0] * (1 - decay.array()) - y.array(), jacobian};
+                       });
+}
+
+TEST(CeresLeastSquares, FitsAnExponentialToTheCertifiedDigits) {
+  const Vector b = converged(misra(), 300);
+  EXPECT_NEAR(b[0], 2.3894212918e+02, 1e-6 * 2.4e+02);
+  EXPECT_NEAR(b[1], 5.5015643181e-04, 1e-6 * 5.5e-04);
+  EXPECT_NEAR(2 * misra().evaluate(b).objective, 1.2455138894e-01, 1e-10);
+}
+
+TEST(CeresLeastSquares, PaysNoJacobianWhereItDoesNotStep) {
+  Problem problem = half_rosenbrock();
+  std::set<double> lowest;  // the objectives that were better than all before
+  problem.residuals = [&, residuals = problem.residuals](const Vector& x) {
+    const Residuals told = residuals(x);
+    const double value = told.values.squaredNorm();
+    if (lowest.empty() || value < *lowest.begin()) lowest.insert(value);
+    return told;
+  };
+  const Ledger ledger = solved(problem, ceres_least_squares(), 1000).ledger;
+  const auto steps = static_cast<std::int64_t>(lowest.size());
+  EXPECT_GT(ledger.derivatives, steps) << "no step was refused";
+  EXPECT_LE(ledger.charged, ledger.derivatives + 2 * steps);
+}
+
+TEST(CeresLeastSquares, StepsBackFromPointsWithoutNumbersButEndsAStartAtOne) {
+  Problem problem = half_rosenbrock();  // its first step is to x = 0.78
+  problem.residuals = [residuals = problem.residuals](const Vector& x) {
+    return residuals(x[0] > 0.5 ? Vector::Constant(2, quiet_nan).eval() : x);
+  };
+  const Solved end = solved(problem, ceres_least_squares(), 300);
+  EXPECT_LT(end.best->true_values.objective, 4);  // 12.1 at the start
+  EXPECT_EQ(solved(never_a_number(2), ceres_least_squares(), 30).reason, "a number is not finite");
 }
 
 }  // namespace

@@ -2,12 +2,8 @@
 
 #include <ceres/ceres.h>
 #include <dlfcn.h>
+#include <dlib/global_optimization/global_function_search.h>
 #include <nlopt.h>
-
-#include <algorithm>
-#include <set>
-#include <stdexcept>
-#include <vector>
 
 #include "ricochet/run.h"
 #include "solvers/adjustable_solver.h"
@@ -16,35 +12,9 @@
 #include "tests/solvers/direct_tao.h"
 #include "tests/support/problems.h"
 
-#ifdef RICOCHET_HAS_DLIB
-#include <dlib/global_optimization/global_function_search.h>
-#endif
-
 namespace ricochet {
 
-Vector DirectCall::scale() const {
-  if (coordinates == Coordinates::unit) return width();
-  const double each = coordinates == Coordinates::own ? 1 : width().maxCoeff();
-  return Vector::Constant(width().size(), each);
-}
-
-Vector DirectCall::x(const Vector& u) const {
-  if (coordinates == Coordinates::own) return u;
-  return problem.lower + scale().cwiseProduct(u);
-}
-
-Vector DirectCall::at(const double* u) const {
-  return x(Eigen::Map<const Vector>(u, problem.dimension()));
-}
-
-Vector DirectCall::u(const Vector& x) const {
-  if (coordinates == Coordinates::own) return x;
-  return (x - problem.lower).cwiseQuotient(scale());
-}
-
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // NLopt
 
@@ -117,8 +87,7 @@ Vector call_nlopt(const NloptAlgorithm& algorithm, const DirectCall& call) {
   nlopt_set_lower_bounds(search, lower.data());
   nlopt_set_upper_bounds(search, upper.data());
   nlopt_set_min_objective(search, objective, &shown);
-  const std::vector<double> tolerances(static_cast<std::size_t>(problem.constraints),
-                                       constraint_tolerance);
+  const Vector tolerances = Vector::Constant(problem.constraints, constraint_tolerance);
   if (equal.count > 0) {
     nlopt_add_equality_mconstraint(search, static_cast<unsigned>(equal.count), constraints, &equal,
                                    tolerances.data());
@@ -148,15 +117,12 @@ Vector call_nlopt(const NloptAlgorithm& algorithm, const DirectCall& call) {
 
 // Ceres
 
-/// The objective over y, with x = middle + half sin(angle), as Ceres takes no bounds; the angle is
-/// y, or such that dx / dy in the middle is 1 (own coordinates) or as for the longest side. A
-/// caller who knows that the bounds do not matter leaves them out: x = y.
+/// The objective over y, with x = middle + half sin(y / half), as Ceres takes no bounds: dx / dy in
+/// the middle is 1. A caller who knows that the bounds do not matter leaves them out: x = y.
 class Waves : public ceres::FirstOrderFunction {
  public:
-  explicit Waves(const DirectCall& call) : call_(call), half_(call.width() / 2), stretch_(half_) {
-    if (call.coordinates == Coordinates::own) stretch_.setOnes();
-    if (call.coordinates == Coordinates::even) stretch_.setConstant(half_.maxCoeff());
-  }
+  explicit Waves(const DirectCall& call)
+      : call_(call), half_(call.width() / 2), middle_(call.problem.lower + half_) {}
   int NumParameters() const override { return static_cast<int>(half_.size()); }
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     const Vector y = Eigen::Map<const Vector>(parameters, half_.size());
@@ -168,25 +134,22 @@ class Waves : public ceres::FirstOrderFunction {
     *cost = seen.values.objective;
     Eigen::Map<Vector> slope(gradient, y.size());
     slope = seen.gradient;
-    if (!call_.library_chooses) slope.array() *= stretch_.array() * angle(y).array().cos();
+    if (!call_.library_chooses) slope.array() *= (y.array() / half_.array()).cos();
     return true;
   }
   Vector x(const Vector& y) const {
     if (call_.library_chooses) return y;
-    return (call_.lower() + half_).array() + half_.array() * angle(y).array().sin();
+    return middle_.array() + half_.array() * (y.array() / half_.array()).sin();
   }
   Vector y(const Vector& x) const {
     if (call_.library_chooses) return x;
-    const Vector share = (x - call_.lower() - half_).cwiseQuotient(half_);
-    const Vector angle = share.cwiseMax(-0.999).cwiseMin(0.999).array().asin();
-    return angle.cwiseProduct(half_).cwiseQuotient(stretch_);
+    const Vector share = (x - middle_).cwiseQuotient(half_);
+    return half_.array() * share.cwiseMax(-0.999).cwiseMin(0.999).array().asin();
   }
 
  private:
-  Vector angle(const Vector& y) const { return y.cwiseProduct(stretch_).cwiseQuotient(half_); }
-
   const DirectCall& call_;
-  Vector half_, stretch_;
+  Vector half_, middle_;
 };
 
 Vector call_ceres(const DirectCall& call) {
@@ -248,7 +211,6 @@ Vector call_ceres_least_squares(const DirectCall& call) {
   return call.x(u);
 }
 
-#ifdef RICOCHET_HAS_DLIB
 Vector call_dlib(const DirectCall& call) {
   using Column = dlib::matrix<double, 0, 1>;
   const auto column = [](const Vector& from) {
@@ -259,9 +221,8 @@ Vector call_dlib(const DirectCall& call) {
   const auto value = [&](const Column& u) {
     return -call.evaluator.values(call.at(u.begin()))->objective;
   };
-  const Column start = column(call.u(call.problem.start));
-  const dlib::function_spec box(column(call.u(call.problem.lower)),
-                                column(call.u(call.problem.upper)));
+  const Column start = column(call.problem.start);
+  const dlib::function_spec box(column(call.problem.lower), column(call.problem.upper));
   dlib::global_function_search search({box}, {{{start, value(start)}}});
   search.set_seed(static_cast<std::time_t>(call.seed));
   for (int k = 1; k < call.limit; ++k) {
@@ -274,25 +235,23 @@ Vector call_dlib(const DirectCall& call) {
   search.get_best_function_eval(best, highest, of);
   return call.at(best.begin());
 }
-#endif
 
 #ifdef RICOCHET_HAS_TAO
-double tell(void* data, const double* u, double* gradient, double* residuals, double* jacobian) {
-  const DirectCall& call = *static_cast<const DirectCall*>(data);
+double tell(const DirectTao& asked, const double* u, double* told, double* jacobian) {
+  const DirectCall& call = *static_cast<const DirectCall*>(asked.data);
   const Vector x = call.at(u);
-  if (residuals) {
-    const Vector seen = *call.evaluator.residual_values(x);
-    std::copy(seen.begin(), seen.end(), residuals);
-    return 0;
-  }
+  Derivatives seen;
   if (jacobian) {
-    const Matrix seen = call.evaluator.residuals(x, Part::jacobian)->jacobian;
-    Eigen::Map<Matrix>(jacobian, seen.rows(), seen.cols()) = seen * call.scale().asDiagonal();
-    return 0;
+    Eigen::Map<Matrix>(jacobian, asked.m, asked.n) =
+        call.evaluator.residuals(x, Part::jacobian)->jacobian;
+  } else if (asked.m > 0) {
+    Eigen::Map<Vector>(told, asked.m) = *call.evaluator.residual_values(x);
+  } else if (told) {
+    seen = *call.evaluator.derivatives(x);
+    Eigen::Map<Vector>(told, asked.n) = seen.gradient;
+  } else {
+    seen.values = *call.evaluator.values(x);
   }
-  if (!gradient) return call.evaluator.values(x)->objective;
-  const Derivatives seen = *call.evaluator.derivatives(x);
-  Eigen::Map<Vector>(gradient, x.size()) = seen.gradient.cwiseProduct(call.scale());
   return seen.values.objective;
 }
 
@@ -311,13 +270,11 @@ Vector call_tao(const std::string& solver, const DirectCall& call) {
   const bool of_residuals = solver == "tao-pounders" || solver == "tao-brgn";
   const Problem& problem = call.problem;
   const auto n = static_cast<int>(problem.dimension());
-  const Vector lower = call.u(problem.lower), upper = call.u(problem.upper);
   const int m = of_residuals ? static_cast<int>(problem.residuals(problem.start).values.size()) : 0;
-  const DirectTao asked{
-      n, m, call.limit, lower.data(), upper.data(), tell, const_cast<DirectCall*>(&call)};
-  Vector u = call.u(problem.start).cwiseMax(lower).cwiseMin(upper);
-  directly(&asked, solver.substr(4).c_str(), u.data());
-  return call.x(u);
+  const DirectTao asked{n, m, call.limit, problem.lower.data(), problem.upper.data(), tell, &call};
+  Vector x = problem.start;
+  directly(&asked, solver.substr(4).c_str(), x.data());
+  return x;
 }
 #endif
 
@@ -334,32 +291,24 @@ std::function<Vector(const DirectCall&)> direct_call(const std::string& solver) 
   }
   if (solver == "ceres-lbfgs") return call_ceres;
   if (solver == "ceres-trust-region") return call_ceres_least_squares;
-#ifdef RICOCHET_HAS_DLIB
   if (solver == "dlib-global-search") return call_dlib;
-#endif
-#ifdef RICOCHET_HAS_IPOPT
   if (solver.starts_with("ipopt")) return named(call_ipopt);
-#endif
+  if (solver.starts_with("pagmo-")) return named(call_pagmo);
 #ifdef RICOCHET_HAS_TAO
   if (solver.starts_with("tao-")) return named(call_tao);
-#endif
-#ifdef RICOCHET_HAS_PAGMO
-  if (solver.starts_with("pagmo-")) return named(call_pagmo);
 #endif
   return nullptr;
 }
 
 Coordinates coordinates_of(const std::string& solver) {
+  Coordinates usual = Coordinates::unit;
   for (const AdjustableSolver& adjustable : adjustable_solvers()) {
     if (adjustable.name != solver) continue;
     for (const SolverOption& option : adjustable.options) {
-      if (option.name != coordinates_option.key) continue;
-      Coordinates usual{};
-      give(OptionValue(option.usual), usual);
-      return usual;
+      if (option.name == coordinates_option.key) give(OptionValue(option.usual), usual);
     }
   }
-  return Coordinates::unit;
+  return usual;
 }
 
 }  // namespace ricochet

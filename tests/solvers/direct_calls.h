@@ -1,17 +1,17 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
-
 #include "ricochet/evaluator.h"
 #include "ricochet/problem.h"
 #include "solvers/scaled_box.h"
+#include "tests/support/test.h"
 
 /// Calls of the libraries' own interfaces, as a caller without ricochet's adapters writes them.
 namespace ricochet {
 
-/// A call of a library for one problem, in coordinates u with x = origin + scale u.
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A call of a library for one problem, in the problem's own coordinates or, of NLopt and Ceres's
+/// trust region, in those of the unit cube: x = origin + scale u.
 struct DirectCall {
   const Problem& problem;
   Evaluator& evaluator;  ///< charges what the library asks; beyond all limits of the library
@@ -20,15 +20,16 @@ struct DirectCall {
   int limit = 0;  ///< the library's own: of evaluations (NLopt, dlib, TAO), of iterations (Ipopt,
                   ///< Ceres), of evaluations rounded up to generations (pagmo)
   /// The library's own choices where the adapter gives a reason for none of its own: NLopt's first
-  /// step and length of history, Ceres's L-BFGS without bounds, compass search's first step.
+  /// step and length of history, Ceres's L-BFGS without bounds.
   bool library_chooses = false;
 
-  Vector lower() const { return problem.lower; }
+  bool in_unit_cube() const { return coordinates == Coordinates::unit; }
   Vector width() const { return problem.upper - problem.lower; }
-  Vector scale() const;
-  Vector x(const Vector& u) const;
-  Vector at(const double* u) const;  ///< x(u)
-  Vector u(const Vector& x) const;
+  Vector origin() const { return in_unit_cube() ? problem.lower : Vector(0 * problem.lower); }
+  Vector scale() const { return in_unit_cube() ? width() : Vector::Ones(problem.dimension()); }
+  Vector at(const double* u) const { return x(Eigen::Map<const Vector>(u, problem.dimension())); }
+  Vector x(const Vector& u) const { return origin() + scale().cwiseProduct(u); }
+  Vector u(const Vector& x) const { return (x - origin()).cwiseQuotient(scale()); }
 };
 
 Vector call_ipopt(const std::string& solver, const DirectCall& call);

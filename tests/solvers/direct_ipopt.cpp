@@ -1,14 +1,10 @@
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
-#include <algorithm>
-#include <string>
 
 #include "tests/solvers/direct_calls.h"
 
 namespace ricochet {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr Part both_constraints{static_cast<unsigned>(Part::equalities) |
                                 static_cast<unsigned>(Part::inequalities)};
@@ -31,15 +27,15 @@ class ForIpopt : public Ipopt::TNLP {
   }
   bool get_bounds_info(Index n, Number* lower, Number* upper, Index m, Number* least,
                        Number* most) override {
-    Eigen::Map<Vector>(lower, n) = call_.u(problem().lower);
-    Eigen::Map<Vector>(upper, n) = call_.u(problem().upper);
+    Eigen::Map<Vector>(lower, n) = problem().lower;
+    Eigen::Map<Vector>(upper, n) = problem().upper;
     for (Index i = 0; i < m; ++i) least[i] = i < problem().equalities ? 0 : -2e19;
     std::fill_n(most, m, 0.0);
     return true;
   }
   bool get_starting_point(Index n, bool, Number* u, bool, Number*, Number*, Index, bool,
                           Number*) override {
-    Eigen::Map<Vector>(u, n) = call_.u(problem().start);
+    Eigen::Map<Vector>(u, n) = problem().start;
     return true;
   }
   bool eval_f(Index, const Number* u, bool, Number& told) override {
@@ -47,8 +43,8 @@ class ForIpopt : public Ipopt::TNLP {
     return true;
   }
   bool eval_grad_f(Index n, const Number* u, bool, Number* told) override {
-    const Vector slope = call_.evaluator.derivatives(call_.at(u), Part::objective)->gradient;
-    Eigen::Map<Vector>(told, n) = slope.cwiseProduct(call_.scale());
+    Eigen::Map<Vector>(told, n) =
+        call_.evaluator.derivatives(call_.at(u), Part::objective)->gradient;
     return true;
   }
   bool eval_g(Index, const Number* u, bool, Index m, Number* told) override {
@@ -59,14 +55,11 @@ class ForIpopt : public Ipopt::TNLP {
   bool eval_jac_g(Index n, const Number* u, bool, Index m, Index, Index* rows, Index* columns,
                   Number* told) override {
     if (told) {
-      const auto seen = call_.evaluator.derivatives(call_.at(u), both_constraints);
-      Eigen::Map<RowMajor>(told, m, n) = seen->jacobian * call_.scale().asDiagonal();
+      Eigen::Map<RowMajor>(told, m, n) =
+          call_.evaluator.derivatives(call_.at(u), both_constraints)->jacobian;
       return true;
     }
-    for (Index k = 0; k < n * m; ++k) {
-      rows[k] = k / n;
-      columns[k] = k % n;
-    }
+    for (Index k = 0; k < n * m; ++k) rows[k] = k / n, columns[k] = k % n;
     return true;
   }
   bool eval_h(Index n, const Number* u, bool, Number factor, Index m, const Number* multipliers,
@@ -74,15 +67,10 @@ class ForIpopt : public Ipopt::TNLP {
     const Matrix curves = told ? *call_.evaluator.lagrangian_hessian(
                                      call_.at(u), factor, Eigen::Map<const Vector>(multipliers, m))
                                : Matrix();
-    const Vector scale = call_.scale();
     for (Index i = 0, k = 0; i < n; ++i) {
       for (Index j = 0; j <= i; ++j, ++k) {
-        if (told) {
-          told[k] = scale[i] * curves(i, j) * scale[j];
-        } else {
-          rows[k] = i;
-          columns[k] = j;
-        }
+        if (told) told[k] = curves(i, j);
+        if (!told) rows[k] = i, columns[k] = j;
       }
     }
     return true;

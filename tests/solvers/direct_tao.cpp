@@ -6,24 +6,20 @@
 #include <petsctao.h>
 
 #include <limits>
-#include <vector>
 
 namespace {
 
 /// Tells the numbers at x of what is not null.
-PetscErrorCode tell(Vec x, PetscReal* value, Vec gradient, Vec residuals, Mat jacobian,
-                    void* context) {
+PetscErrorCode tell(Vec x, PetscReal* value, Vec told, Mat jacobian, void* context) {
   const auto& asked = *static_cast<const DirectTao*>(context);
   const PetscScalar* at = nullptr;
-  PetscScalar *slope = nullptr, *rest = nullptr, *slopes = nullptr;
+  PetscScalar *numbers = nullptr, *slopes = nullptr;
   VecGetArrayRead(x, &at);
-  if (gradient) VecGetArray(gradient, &slope);
-  if (residuals) VecGetArray(residuals, &rest);
+  if (told) VecGetArray(told, &numbers);
   if (jacobian) MatDenseGetArrayWrite(jacobian, &slopes);
-  const double told = asked.tell(asked.data, at, slope, rest, slopes);
-  if (value) *value = told;
-  if (gradient) VecRestoreArray(gradient, &slope);
-  if (residuals) VecRestoreArray(residuals, &rest);
+  const double result = asked.tell(asked, at, numbers, slopes);
+  if (value) *value = result;
+  if (told) VecRestoreArray(told, &numbers);
   if (jacobian) {
     MatDenseRestoreArrayWrite(jacobian, &slopes);
     MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY);
@@ -33,27 +29,25 @@ PetscErrorCode tell(Vec x, PetscReal* value, Vec gradient, Vec residuals, Mat ja
 }
 
 PetscErrorCode objective(Tao, Vec x, PetscReal* value, void* context) {
-  return tell(x, value, nullptr, nullptr, nullptr, context);
+  return tell(x, value, nullptr, nullptr, context);
 }
 
 PetscErrorCode slope(Tao, Vec x, PetscReal* value, Vec gradient, void* context) {
-  return tell(x, value, gradient, nullptr, nullptr, context);
+  return tell(x, value, gradient, nullptr, context);
 }
 
 PetscErrorCode residuals(Tao, Vec x, Vec values, void* context) {
-  return tell(x, nullptr, nullptr, values, nullptr, context);
+  return tell(x, nullptr, values, nullptr, context);
 }
 
 PetscErrorCode jacobian(Tao, Vec x, Mat slopes, Mat, void* context) {
-  return tell(x, nullptr, nullptr, nullptr, slopes, context);
+  return tell(x, nullptr, nullptr, slopes, context);
 }
 
+/// A vector whose numbers are those of an array.
 Vec vector_of(int n, const double* values) {
   Vec vec = nullptr;
-  VecCreateSeq(PETSC_COMM_SELF, n, &vec);
-  for (PetscInt i = 0; i < n && values; ++i) VecSetValue(vec, i, values[i], INSERT_VALUES);
-  VecAssemblyBegin(vec);
-  VecAssemblyEnd(vec);
+  VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, values, &vec);
   return vec;
 }
 
@@ -73,7 +67,7 @@ extern "C" __attribute__((visibility("default"))) void direct_tao(const DirectTa
   TaoSetMaximumIterations(tao, std::numeric_limits<PetscInt>::max());
   TaoSetMaximumFunctionEvaluations(tao, asked->limit);
   if (asked->m > 0) {
-    values = vector_of(asked->m, nullptr);
+    VecCreateSeq(PETSC_COMM_SELF, asked->m, &values);
     MatCreateSeqDense(PETSC_COMM_SELF, asked->m, asked->n, nullptr, &slopes);
     TaoSetResidualRoutine(tao, values, residuals, context);
     TaoSetJacobianResidualRoutine(tao, slopes, slopes, jacobian, context);
@@ -82,10 +76,6 @@ extern "C" __attribute__((visibility("default"))) void direct_tao(const DirectTa
     TaoSetObjectiveAndGradient(tao, nullptr, slope, context);
   }
   TaoSolve(tao);
-  const PetscScalar* at = nullptr;
-  VecGetArrayRead(u, &at);
-  for (PetscInt i = 0; i < asked->n; ++i) x[i] = at[i];
-  VecRestoreArrayRead(u, &at);
   TaoDestroy(&tao);
   MatDestroy(&slopes);
   for (Vec* each : {&u, &lower, &upper, &values}) VecDestroy(each);

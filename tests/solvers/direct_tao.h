@@ -4,8 +4,8 @@
 struct DirectTao {
   int n, m, limit;  ///< variables, residuals (0: none are shown), evaluations
   const double *lower, *upper;
-  /// Returns the value; tells of the rest what is not null, the Jacobian by columns.
-  double (*tell)(void* data, const double* u, double* gradient, double* residuals,
-                 double* jacobian);
-  void* data;
+  /// Tells the Jacobian of the residuals by columns, where that is not null; else the m residuals.
+  /// With m = 0: returns the value, and tells the gradient where that is not null.
+  double (*tell)(const DirectTao& asked, const double* u, double* told, double* jacobian);
+  const void* data;
 };

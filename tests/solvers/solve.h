@@ -62,10 +62,7 @@ inline Solved solved(const Problem& problem, const Solver& solver, std::int64_t 
 inline Problem watched(const Problem& problem, const std::function<void(const Vector&)>& look) {
   Problem result = problem;
   const auto after_look = [&look](const auto& function) {
-    return [look, function](const Vector& x) {
-      look(x);
-      return function(x);
-    };
+    return [=](const Vector& x) { return look(x), function(x); };
   };
   result.evaluate = after_look(problem.evaluate);
   if (problem.differentiate) result.differentiate = after_look(problem.differentiate);
@@ -125,14 +122,14 @@ std::vector<Solver> solvers_that(const Predicate& holds) {
   return solvers;
 }
 
-/// How a test is named after its solver, or after the name of one.
-inline constexpr auto by_solver = [](const auto& tested) {
-  if constexpr (std::is_same_v<std::decay_t<decltype(tested.param)>, Solver>) {
-    return test_name(tested.param.name);
-  } else {
-    return test_name(tested.param);
-  }
+/// Tests of each of some solvers.
+class OfSolver : public testing::TestWithParam<Solver> {
+ protected:
+  const Solver& solver() const { return GetParam(); }
 };
+
+/// How a test is named after its solver.
+inline constexpr auto by_solver = [](const auto& tested) { return test_name(tested.param.name); };
 
 /// Whether `call` returns true in a copy of this process.
 template <class Call>
@@ -150,18 +147,17 @@ void expect_named_refusals(const Read& read, const std::vector<Refusal<std::stri
   expect_refusals(read, refusals);
   for (const Refusal<std::string>& refused : refusals) {
     EXPECT_THAT(complaint_of([&] { return read(refused.input); }),
-                testing::StartsWith(refused.input + ": "));
+                StartsWith(refused.input + ": "));
   }
 }
 
 /// An empty folder of this test's own.
-inline std::filesystem::path fresh_folder() {
-  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("ricochet_solvers_") + test->test_suite_name() + "_" + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+inline fs::path fresh_folder() {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder = fmt::format("{}/ricochet_solvers_{}_{}", testing::TempDir(),
+                                      test.test_suite_name(), test.name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
   return folder;
 }
 

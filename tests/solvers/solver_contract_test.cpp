@@ -6,44 +6,35 @@
 #include "solvers/outside/line_solver.h"
 #include "tests/solvers/solve.h"
 #include "tests/support/golden.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
 
-template <class Change>
-Problem changed(Problem problem, const std::string& name, const Change& change) {
-  problem.name = name;
-  change(problem);
-  return problem;
-}
-
 /// One for each thing that a solver may want, or may not be able to do.
 std::vector<Problem> touchstones() {
-  const auto no_slopes = [](Problem& p) { p.differentiate = nullptr; };
-  const auto no_curves = [](Problem& p) { p.lagrangian_hessian = nullptr; };
-  const auto no_knob = [](Problem& p) { p.smoothed = nullptr; };
-  std::vector<Problem> all = {
-      changed(sphere(1, 3), "a-point", [](Problem& p) { p.lower = p.upper = p.start; }),
-      changed(sphere(2, 3), "2-without-gradient", no_slopes),
-      changed(sphere(2, 3), "2-without-hessian", no_curves),
-      changed(sphere(2, 3), "2-without-residuals", [](Problem& p) { p.residuals = nullptr; }),
-      changed(sphere(2, 3), "2-without-smoothing", no_knob),
-      limited(7),
-      disc(),
-      changed(disc(), "disc-without-gradient", no_slopes),
-      changed(disc(), "disc-without-hessian", no_curves),
-      changed(disc(), "disc-without-smoothing", no_knob),
-      changed(disc(), "disc-with-residuals",
-              [](Problem& p) { p.residuals = sphere(2, 3).residuals; }),
-      arc(),
-      changed(arc(), "arc-without-gradient", no_slopes),
-      changed(arc(), "arc-of-1",
-              [](Problem& p) { p.lower = p.upper = p.start = Vector::Ones(1); })};
-  all.back().lower[0] = 0;
-  for (const Eigen::Index n : {1, 2, 8, 9, 10, 11}) {
-    all.push_back(changed(sphere(n, 3), fmt::format("{}", n), [](Problem&) {}));
-  }
+  std::vector<Problem> all;
+  const auto add = [&](Problem problem, const std::string& name) -> Problem& {
+    problem.name = name;
+    return all.emplace_back(problem);
+  };
+  Problem& point = add(sphere(1, 3), "a-point");
+  point.lower = point.upper = point.start;
+  add(sphere(2, 3), "2-without-gradient").differentiate = nullptr;
+  add(sphere(2, 3), "2-without-hessian").lagrangian_hessian = nullptr;
+  add(sphere(2, 3), "2-without-residuals").residuals = nullptr;
+  add(sphere(2, 3), "2-without-smoothing").smoothed = nullptr;
+  add(limited(7), "limited");
+  add(disc(), "disc");
+  add(disc(), "disc-without-gradient").differentiate = nullptr;
+  add(disc(), "disc-without-hessian").lagrangian_hessian = nullptr;
+  add(disc(), "disc-without-smoothing").smoothed = nullptr;
+  add(disc(), "disc-with-residuals").residuals = sphere(2, 3).residuals;
+  add(arc(), "arc");
+  add(arc(), "arc-without-gradient").differentiate = nullptr;
+  Problem& of_1 = add(arc(), "arc-of-1");
+  of_1.upper = of_1.start = Vector::Ones(1);
+  of_1.lower = Vector::Zero(1);
+  for (const Eigen::Index n : {1, 2, 8, 9, 10, 11}) add(sphere(n, 3), std::to_string(n));
   return all;
 }
 
@@ -81,57 +72,48 @@ TEST(AllSolvers, NameTheLibraryBehindThemAndItsVersion) {
 
 TEST(SolverNamed, IsTheOneOrAnErrorThatSaysWhatMayBeMeant) {
   EXPECT_EQ(solver_named("nlopt-sbplx").name, "nlopt-sbplx");
-  EXPECT_THAT(complaint_of([] { return solver_named("nlopt-sbplex", "--solver"); }),
-              testing::AllOf(testing::HasSubstr("--solver nlopt-sbplex: there is no such solver"),
-                             testing::HasSubstr("nlopt-sbplx")));
+  EXPECT_THAT(
+      complaint_of([] { return solver_named("nlopt-sbplex", "--solver"); }),
+      AllOf(HasSubstr("--solver nlopt-sbplex: there is no such solver"), HasSubstr("nlopt-sbplx")));
 }
 
 TEST(AllSolvers, HaveBothReadingsOfTheThirdBranch) {
   const auto asked = [](const Solver& solver) {
     return asked_by_a_start(sphere(2, 3), solver, 500, 1);
   };
-  fireworks::FireworksOptions as_printed;
-  as_printed.counts.third_branch = fireworks::ThirdBranch::as_printed;
   const auto rounded = asked(fireworks::fireworks("", fireworks::paper_options()));
-  const auto printed = asked(fireworks::fireworks("", as_printed));
+  const auto printed = asked(
+      fireworks::fireworks("", {.counts = {.third_branch = fireworks::ThirdBranch::as_printed}}));
   EXPECT_NE(rounded, printed);
   EXPECT_EQ(asked(solver_named("fireworks")), rounded);
   EXPECT_EQ(asked(solver_named("fireworks-as-printed")), printed);
-}
-
-std::vector<Problem> small_problems() {
-  return {sphere(1, 3), sphere(2, 3), sphere(5, -20),    staircase(),       disc(),
-          plateau(1),   plateau(2),   never_a_number(1), never_a_number(2), half_a_number(),
-          limited(7)};
 }
 
 void expect_same_trace(const RunRecord& a, const RunRecord& b) {
   SCOPED_TRACE(a.problem);
   EXPECT_EQ(a.ledger.charged, b.ledger.charged);
   EXPECT_EQ(a.terminations, b.terminations);
-  EXPECT_EQ(points_of(a), points_of(b));
-  const auto numbers_of = [](const RunRecord& record) {
-    std::string text;  // in which NaN is NaN
-    for (const Improvement& step : record.trace) {
-      text += fmt::format("{} {} {}\n", step.evaluations, step.true_values.objective,
-                          step.true_values.violation);
+  const auto improvements_of = [](const RunRecord& record) {
+    std::vector<std::tuple<std::int64_t, double, double, Vector>> all;
+    for (const auto& [evaluations, seconds, values, x] : record.trace) {
+      all.emplace_back(evaluations, values.objective, values.violation, x);
     }
-    return text;
+    return all;
   };
-  EXPECT_EQ(numbers_of(a), numbers_of(b));
+  EXPECT_EQ(improvements_of(a), improvements_of(b));
 }
 
 /// So often a solver may ask after it was refused: some finish a generation of about 100, and
 /// Ceres's trust region tries some 170 shorter steps before it gives up.
 constexpr std::int64_t most_refused = 500;
 
-class SolverContract : public testing::TestWithParam<Solver> {
+class SolverContract : public OfSolver {
  protected:
-  const Solver& solver() const { return GetParam(); }
-
   /// The small problems it accepts; at least one.
   std::vector<Problem> accepted() const {
-    std::vector<Problem> problems = small_problems();
+    std::vector<Problem> problems = {
+        sphere(1, 3), sphere(2, 3),      sphere(5, -20),    staircase(),     disc(),    plateau(1),
+        plateau(2),   never_a_number(1), never_a_number(2), half_a_number(), limited(7)};
     std::erase_if(problems, [&](const Problem& p) { return !solver().accepts(p); });
     EXPECT_FALSE(problems.empty());
     return problems;
@@ -167,6 +149,7 @@ TEST_P(SolverContract, SpendsItsBudgetAndNoMore) {
       const RunRecord record = run(problem, solver(), {budget}, 0);
       EXPECT_LE(record.ledger.charged, budget);
       EXPECT_EQ(record.failure, "");
+      EXPECT_LE(record.returned.has_value(), record.ledger.charged > 0);
       if (budget <= 2) {  // the evaluator refuses at once
         EXPECT_LE(record.ledger.refused, most_refused);
         EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
@@ -238,12 +221,10 @@ TEST_P(SolverContract, AsksTheSameWhereverItsMemoryLies) {
 
 TEST_P(SolverContract, DrawsFromItsRandomStateIfItSaysSoAndOnlyThen) {
   const Problem problem = easy();
-  const auto asked = [&](std::uint64_t seed) {
-    return asked_by_a_start(problem, solver(), 100, seed);
-  };
+  const auto asked = [&](int seed) { return asked_by_a_start(problem, solver(), 100, seed); };
   const std::vector<Vector> first = asked(1);
   bool differs = false;  // a toss of a coin may come out alike for two seeds
-  for (std::uint64_t seed = 2; seed < 12; ++seed) differs = differs || asked(seed) != first;
+  for (int seed = 2; seed < 12; ++seed) differs = differs || asked(seed) != first;
   EXPECT_EQ(differs, solver().stochastic);
   EXPECT_EQ(asked(1), first);
 }
@@ -301,10 +282,9 @@ TEST_P(SolverContract, SearchesABoxWithoutWidthInACoordinate) {
   EXPECT_LT(end_of(problem, solver(), budget), 4 + 55);
 }
 
-class PlaneContract : public SolverContract {};
-
-TEST_P(PlaneContract, GetsPastValuesThatAreNotNumbers) {
+TEST_P(SolverContract, GetsPastValuesThatAreNotNumbers) {
   Problem problem = half_a_number();
+  if (!solver().accepts(problem)) GTEST_SKIP() << "it takes no such problem";
   int numbers = 0;
   problem.evaluate = [&, evaluate = problem.evaluate](const Vector& x) {
     const Values values = evaluate(x);
@@ -316,9 +296,8 @@ TEST_P(PlaneContract, GetsPastValuesThatAreNotNumbers) {
   EXPECT_GT(numbers, 10);
 }
 
-class ConstrainedContract : public SolverContract {};
-
-TEST_P(ConstrainedContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
+TEST_P(SolverContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
+  if (!solver().accepts(disc())) GTEST_SKIP() << "it takes no such problem";
   // With 1000 evaluations dynFWA gets to its seventh generation only.
   const bool stochastic = solver().stochastic;
   const TrueValues best = best_of(run(disc(), solver(), {stochastic ? 5000 : 1000}, 0));
@@ -344,15 +323,8 @@ std::vector<Solver> solvers_from_everywhere() {
   return solvers;
 }
 
-std::vector<Solver> solvers_of(const Problem& problem) {
-  return solvers_that([&](const Solver& solver) { return solver.accepts(problem); });
-}
-
 INSTANTIATE_TEST_SUITE_P(Of, SolverContract, testing::ValuesIn(solvers_from_everywhere()),
                          by_solver);
-INSTANTIATE_TEST_SUITE_P(Of, PlaneContract, testing::ValuesIn(solvers_of(half_a_number())),
-                         by_solver);
-INSTANTIATE_TEST_SUITE_P(Of, ConstrainedContract, testing::ValuesIn(solvers_of(disc())), by_solver);
 
 }  // namespace
 }  // namespace ricochet

@@ -5,32 +5,25 @@
 
 #include "solvers/library_solvers.h"
 #include "tests/solvers/solve.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
 
-/// (x - centre)' A (x - centre) / 2 on [-1, 1]^n with A = 1 + tridiagonal(-1, 2, -1), whose
-/// minimiser within the box, `best`, is given: the centre is so chosen that the slope there is
-/// `pushes` < 0 where best is 1, > 0 where it is -1, and 0 elsewhere.
-Problem bounded_quadratic(const Vector& best, const Vector& pushes) {
-  const Eigen::Index n = best.size();
-  Matrix a = 3 * Matrix::Identity(n, n);
-  for (Eigen::Index i = 1; i < n; ++i) a(i, i - 1) = a(i - 1, i) = -1;
-  const Vector centre = best - a.ldlt().solve(pushes);
-  Problem problem = box_problem("bounded-quadratic", n, -1, 1, 0.3, [=](const Vector& x) {
-    return 0.5 * (x - centre).dot(a * (x - centre));
-  });
-  differentiate_by(problem, [=](const Vector& x) -> Vector { return a * (x - centre); });
-  const Matrix root = a.llt().matrixU();
-  problem.residuals = [=](const Vector& x) { return Residuals{root * (x - centre), root}; };
-  return problem;
-}
-
+// (x - centre)' A (x - centre) / 2 on [-1, 1]^6 with A = 1 + tridiagonal(-1, 2, -1): the centre is
+// so chosen that the slope at `best` is `pushes` < 0 where best is 1, > 0 where it is -1, and else
+// 0.
 TEST(Tao, FindsTheMinimumOfQuadraticsAtActiveBounds) {
   const Vector best{{1, 0.25, -1, -0.5, 0.125, 1}};
   const Vector pushes{{-2, 0, 1, 0, 0, -0.5}};
-  const Problem problem = bounded_quadratic(best, pushes);
+  Matrix a = 3 * Matrix::Identity(6, 6);
+  for (Eigen::Index i = 1; i < 6; ++i) a(i, i - 1) = a(i - 1, i) = -1;
+  const Vector centre = best - a.ldlt().solve(pushes);
+  Problem problem = box_problem("bounded-quadratic", 6, -1, 1, 0.3, [&](const Vector& x) {
+    return 0.5 * (x - centre).dot(a * (x - centre));
+  });
+  differentiate_by(problem, [&](const Vector& x) -> Vector { return a * (x - centre); });
+  const Matrix root = a.llt().matrixU();
+  problem.residuals = [&](const Vector& x) { return Residuals{root * (x - centre), root}; };
   for (const Solver& solver : tao_solvers()) {
     const Solved end = solved(problem, solver, 2000);
     ASSERT_TRUE(end.point) << solver.name << ": " << end.reason;

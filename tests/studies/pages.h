@@ -26,7 +26,7 @@ inline StudyPage study_page(const std::string& name, report::Results results) {
   for (const report::Chart& chart : results.charts) EXPECT_NO_THROW(check(chart)) << chart.name;
   const report::PageSource source = report::page_source(report::page_template(name));
   const auto [files, failures] = page_files(source, results);
-  EXPECT_THAT(failures, testing::IsEmpty());
+  EXPECT_THAT(failures, IsEmpty());
   return {{files.begin(), files.end()}, terminal_text(source, results)};
 }
 

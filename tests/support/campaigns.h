@@ -12,15 +12,6 @@
 /// Made-up problems, solvers, plans and campaigns, and runs with anything that a store must keep.
 namespace ricochet {
 
-/// The levels of the restitution that a plan names.
-inline std::vector<double> restitutions(const MachineGrid& grid) {
-  std::vector<double> numbers;
-  const auto levels = grid.levels.find("restitution");
-  if (levels == grid.levels.end()) return numbers;
-  for (const OptionValue& level : levels->second) numbers.push_back(std::get<double>(level));
-  return numbers;
-}
-
 /// The sum of (x_i - 0.3)^2; with one constraint, x_0 <= 1/2, where wanted.
 inline Problem bowl(const std::string& name, Eigen::Index n, bool constrained = false) {
   Problem problem = box_problem(name, n, 0, 1, 0.9, [](const Vector&) { return 0.0; });
@@ -71,6 +62,23 @@ inline SearchedProblem searched(const Problem& known, const std::shared_ptr<int>
           [=](const Findings&) { return known; }};
 }
 
+/// Bowls, one for each level of the restitution that a plan names. Of machines around "nowhere"
+/// only those below 1 are feasible.
+inline std::vector<SearchedProblem> bowls_of(const MachineGrid& grid,
+                                             const std::shared_ptr<int>& searches = nullptr) {
+  std::vector<SearchedProblem> problems;
+  const auto levels = grid.levels.find("restitution");
+  if (levels == grid.levels.end()) return problems;
+  for (const OptionValue& level : levels->second) {
+    const auto r = std::get<double>(level);
+    const std::string name = "bowl-" + grid.around + "-" + std::to_string(r);
+    problems.push_back(searched(bowl(name, 1), searches));
+    if (grid.around != "nowhere" || r < 1) continue;
+    problems.back().search = [search = problems.back().search] { return search(), Findings(); };
+  }
+  return problems;
+}
+
 inline Catalogue made_up_catalogue() {
   Catalogue catalogue;
   Problem open = bowl("bowl-open", 1);
@@ -94,28 +102,16 @@ inline Catalogue made_up_catalogue() {
                          {"fidelity", {"impact", "compliant", "planar"}}};
   catalogue.grid_problems = [](const MachineGrid& grid) {
     if (grid.around == "C99") throw InputError("there is no case C99");
-    std::vector<SearchedProblem> problems;
-    for (const double r : restitutions(grid)) {
-      problems.push_back(
-          searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), nullptr));
-    }
-    return problems;
+    return bowls_of(grid);
   };
   return catalogue;
 }
 
-/// The same, that counts searches; of machines around "nowhere" only those below 1 are feasible.
+/// The same, that counts searches.
 inline Catalogue searched_catalogue(const std::shared_ptr<int>& searches) {
   Catalogue catalogue = made_up_catalogue();
   catalogue.grid_problems = [searches](const MachineGrid& grid) {
-    std::vector<SearchedProblem> problems;
-    for (const double r : restitutions(grid)) {
-      problems.push_back(
-          searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), searches));
-      if (grid.around != "nowhere" || r < 1) continue;
-      problems.back().search = [searches] { return ++*searches, Findings(); };
-    }
-    return problems;
+    return bowls_of(grid, searches);
   };
   catalogue.drawn_problem = [searches](const Problem& problem,
                                        int number) -> std::optional<SearchedProblem> {
@@ -244,17 +240,14 @@ inline std::string bits_of(double number) {
   return fmt::format("{} = {:016x} ", std::isnan(number) ? std::abs(number) : number,
                      std::bit_cast<std::uint64_t>(number));
 }
-inline std::string bits_of(const Vector& x) {
-  std::string bits = "at ";
+inline std::string bits_of(const TrueValues& values, const Vector& x) {
+  std::string bits = bits_of(values.objective) + bits_of(values.violation) + "at ";
   for (const double coordinate : x) bits += bits_of(coordinate);
   return bits;
 }
-inline std::string bits_of(const TrueValues& values) {
-  return bits_of(values.objective) + bits_of(values.violation);
-}
 inline std::string bits_of(const Improvement& step) {
-  return fmt::format("{} {}{}{}", step.evaluations, bits_of(step.seconds),
-                     bits_of(step.true_values), bits_of(step.x));
+  return fmt::format("{} {}{}", step.evaluations, bits_of(step.seconds),
+                     bits_of(step.true_values, step.x));
 }
 
 inline std::vector<std::string> bits_of(const RunRecord& r) {
@@ -269,9 +262,9 @@ inline std::vector<std::string> bits_of(const RunRecord& r) {
                   asked.charged, asked.refused, bits_of(asked.seconds)),
       fmt::format("ended by {} {}", static_cast<int>(r.termination_reason), r.failure)};
   for (const SolverTermination& end : r.terminations) {
-    bits.push_back(end.reason + (end.point ? bits_of(*end.point) : ""));
+    bits.push_back(end.reason + (end.point ? bits_of(TrueValues{}, *end.point) : ""));
   }
-  if (r.returned) bits.push_back(bits_of(r.returned->x) + bits_of(r.returned->true_values));
+  if (r.returned) bits.push_back(bits_of(r.returned->true_values, r.returned->x));
   for (const Improvement& step : r.trace) bits.push_back(bits_of(step));
   return bits;
 }

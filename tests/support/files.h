@@ -7,7 +7,7 @@
 namespace ricochet {
 
 /// The bytes of a file.
-inline std::string text_of(const std::filesystem::path& file) {
+inline std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   EXPECT_TRUE(stream) << file;
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -21,9 +21,8 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// A file with this text, in a folder that is made where it is missing.
-inline std::filesystem::path write_file(const std::filesystem::path& file,
-                                        const std::string& text) {
-  std::filesystem::create_directories(file.parent_path());
+inline fs::path write_file(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
@@ -31,11 +30,10 @@ inline std::filesystem::path write_file(const std::filesystem::path& file,
 /// Tests in a folder of their own, which is empty at first. They may run side by side.
 class TemporaryFolder : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("ricochet_test_" + std::to_string(getpid()));
+  fs::path folder_ = fs::path(testing::TempDir()) / ("ricochet_test_" + std::to_string(getpid()));
 };
 
 }  // namespace ricochet

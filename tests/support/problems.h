@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -41,11 +42,12 @@ Problem box_problem(std::string name, Eigen::Index n, double lower, double upper
   return problem;
 }
 
-/// Gives an unconstrained problem a gradient.
+/// Gives a problem a gradient; one with constraints their Jacobian, too.
 template <class Gradient>
-void differentiate_by(Problem& problem, Gradient gradient) {
-  problem.differentiate = [evaluate = problem.evaluate, gradient](const Vector& x) {
-    return Derivatives{evaluate(x), gradient(x), Matrix(0, x.size())};
+void differentiate_by(Problem& problem, Gradient gradient,
+                      const std::function<Matrix(const Vector&)>& jacobian = {}) {
+  problem.differentiate = [evaluate = problem.evaluate, gradient, jacobian](const Vector& x) {
+    return Derivatives{evaluate(x), gradient(x), jacobian ? jacobian(x) : Matrix(0, x.size())};
   };
 }
 
@@ -75,16 +77,31 @@ inline Residuals distances(const Vector& x, double centre) {
           std::sqrt(2.0) * Matrix::Identity(x.size(), x.size())};
 }
 
-/// Sum of (x_i - centre)^2 on [-100, 100]^n from 40; optimum 0 at x_i = centre. With residuals.
-inline Problem sphere(Eigen::Index n, double centre) {
-  Problem problem = box_problem("sphere", n, -100, 100, 40, [centre](const Vector& x) {
+/// Sum of (x_i - centre)^2 on [lower, upper]^n, with derivatives and residuals; optimum 0.
+inline Problem sum_of_squares(const std::string& name, Eigen::Index n, double lower, double upper,
+                              double start, double centre) {
+  Problem problem = box_problem(name, n, lower, upper, start, [centre](const Vector& x) {
     return (x.array() - centre).square().sum();
   });
   problem.best_known = 0.0;
   differentiate_by(problem,
                    [centre](const Vector& x) -> Vector { return 2 * (x.array() - centre); });
-  curve_by(problem, constant_hessian(n, 2));
   problem.residuals = [centre](const Vector& x) { return distances(x, centre); };
+  return problem;
+}
+
+/// The same on [0, 1]^n from the middle, with its best point at 1/4.
+inline Problem parabola(Eigen::Index n) {
+  Problem problem = sum_of_squares("parabola", n, 0, 1, 0.5, 0.25);
+  problem.source = "sum of (x_i - 1/4)^2";
+  problem.best_point = Vector::Constant(n, 0.25);
+  return problem;
+}
+
+/// The same on [-100, 100]^n from 40, with second derivatives.
+inline Problem sphere(Eigen::Index n, double centre) {
+  Problem problem = sum_of_squares("sphere", n, -100, 100, 40, centre);
+  curve_by(problem, constant_hessian(n, 2));
   return with_idle_knob(problem);
 }
 
@@ -117,9 +134,9 @@ inline Problem disc() {
   problem.evaluate = [](const Vector& x) {
     return Values{x.sum(), Vector::Constant(1, x.squaredNorm() - 1)};
   };
-  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
-    return Derivatives{evaluate(x), Vector::Ones(2), 2 * x.transpose()};
-  };
+  differentiate_by(
+      problem, [](const Vector&) -> Vector { return Vector::Ones(2); },
+      [](const Vector& x) -> Matrix { return 2 * x.transpose(); });
   problem.lagrangian_hessian = [](const Vector&, double, const Vector& multipliers) -> Matrix {
     return 2 * multipliers[0] * Matrix::Identity(2, 2);
   };
@@ -129,19 +146,19 @@ inline Problem disc() {
 /// x + y on the part of the unit circle where x >= -1/2, on [-2, 2]^2; optimum -(1 + sqrt(3)) / 2
 /// at the end of the arc, (-1, -sqrt(3)) / 2. Its first constraint is an equation.
 inline Problem arc() {
-  Problem problem = box_problem("arc", 2, -2, 2, 1.5, [](const Vector& x) { return x.sum(); });
+  Problem problem = disc();
+  problem.name = "arc";
   problem.constraints = 2;
   problem.equalities = 1;
   problem.best_known = -(1 + std::sqrt(3.0)) / 2;
   problem.evaluate = [](const Vector& x) {
     return Values{x.sum(), Vector{{x.squaredNorm() - 1, -0.5 - x[0]}}};
   };
-  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
-    return Derivatives{evaluate(x), Vector::Ones(2), Matrix{{2 * x[0], 2 * x[1]}, {-1, 0}}};
-  };
-  problem.lagrangian_hessian = [](const Vector&, double, const Vector& multipliers) -> Matrix {
-    return 2 * multipliers[0] * Matrix::Identity(2, 2);
-  };
+  differentiate_by(
+      problem, [](const Vector&) -> Vector { return Vector::Ones(2); },
+      [](const Vector& x) {
+        return Matrix{{2 * x[0], 2 * x[1]}, {-1, 0}};
+      });
   return with_idle_knob(problem);
 }
 
@@ -163,39 +180,36 @@ inline Problem two_stretches() {
   return problem;
 }
 
-/// The same value everywhere.
-inline Problem plateau(Eigen::Index n) {
-  Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });
-  differentiate_by(problem, [](const Vector& x) -> Vector { return Vector::Zero(x.size()); });
-  curve_by(problem, constant_hessian(n, 0));
-  problem.residuals = [n](const Vector&) {
-    return Residuals{Vector::Constant(1, std::sqrt(14.0)), Matrix::Zero(1, n)};
+/// The same value, and the same slope, everywhere.
+inline Problem flat_problem(const std::string& name, Eigen::Index n, double value, double slope) {
+  Problem problem = box_problem(name, n, 0, 18, 9, [value](const Vector&) { return value; });
+  differentiate_by(problem,
+                   [n, slope](const Vector&) -> Vector { return Vector::Constant(n, slope); });
+  curve_by(problem, constant_hessian(n, slope));
+  problem.residuals = [n, value, slope](const Vector&) {
+    return Residuals{Vector::Constant(1, std::sqrt(2 * value)), Matrix::Constant(1, n, slope)};
   };
   return with_idle_knob(problem);
 }
-
-/// No number anywhere.
+inline Problem plateau(Eigen::Index n) {
+  return flat_problem("plateau", n, 7, 0);
+}
 inline Problem never_a_number(Eigen::Index n) {
-  Problem problem =
-      box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return quiet_nan; });
-  differentiate_by(problem,
-                   [](const Vector& x) -> Vector { return Vector::Constant(x.size(), quiet_nan); });
-  curve_by(problem, constant_hessian(n, quiet_nan));
-  problem.residuals = [n](const Vector&) {
-    return Residuals{Vector::Constant(1, quiet_nan), Matrix::Constant(1, n, quiet_nan)};
-  };
-  return with_idle_knob(problem);
+  return flat_problem("never-a-number", n, quiet_nan, quiet_nan);
 }
 
 /// sphere(2, 3), but no number in the half where the coordinates' sum is above 60, the start
 /// included.
 inline Problem half_a_number() {
-  Problem problem = box_problem("half-a-number", 2, -100, 100, 40, [](const Vector& x) {
-    return x.sum() > 60 ? quiet_nan : (x.array() - 3).square().sum();
-  });
+  const auto centre = [](const Vector& x) { return x.sum() > 60 ? quiet_nan : 3; };
+  Problem problem = sphere(2, 3);
+  problem.name = "half-a-number";
+  problem.best_known.reset();
+  problem.evaluate = [centre](const Vector& x) {
+    return Values{(x.array() - centre(x)).square().sum(), {}};
+  };
   differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
-  curve_by(problem, constant_hessian(2, 2));
-  problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? quiet_nan : 3); };
+  problem.residuals = [centre](const Vector& x) { return distances(x, centre(x)); };
   return with_idle_knob(problem);
 }
 
@@ -204,42 +218,20 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
   Problem problem = sphere(n, 3);
   problem.name = "breaks";
   const auto left = std::make_shared<std::atomic<int>>(calls);
-  const auto step = [left] {
-    if (left->fetch_sub(1) <= 0) throw std::runtime_error("broken scene");
+  const auto breaking = [left](const auto& function) {
+    return [left, function](const auto&... arguments) {
+      if (left->fetch_sub(1) <= 0) throw std::runtime_error("broken scene");
+      return function(arguments...);
+    };
   };
   problem.true_values = [evaluate = problem.evaluate](const Vector& x) {
     return true_values_of(evaluate(x));
   };
-  problem.evaluate = [step, evaluate = problem.evaluate](const Vector& x) {
-    step();
-    return evaluate(x);
-  };
-  problem.differentiate = [step, differentiate = problem.differentiate](const Vector& x) {
-    step();
-    return differentiate(x);
-  };
-  problem.lagrangian_hessian = [step, hessian = problem.lagrangian_hessian](
-                                   const Vector& x, double factor, const Vector& multipliers) {
-    step();
-    return hessian(x, factor, multipliers);
-  };
-  problem.residuals = [step, residuals = problem.residuals](const Vector& x) {
-    step();
-    return residuals(x);
-  };
+  problem.evaluate = breaking(problem.evaluate);
+  problem.differentiate = breaking(problem.differentiate);
+  problem.lagrangian_hessian = breaking(problem.lagrangian_hessian);
+  problem.residuals = breaking(problem.residuals);
   return with_idle_knob(problem);
-}
-
-/// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives and residuals; the optimum value is 0.
-inline Problem parabola(Eigen::Index n) {
-  Problem problem = box_problem("parabola", n, 0, 1, 0.5,
-                                [](const Vector& x) { return (x.array() - 0.25).square().sum(); });
-  problem.source = "sum of (x_i - 1/4)^2";
-  problem.best_known = 0.0;
-  problem.best_point = Vector::Constant(n, 0.25);
-  differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 0.25); });
-  problem.residuals = [](const Vector& x) { return distances(x, 0.25); };
-  return problem;
 }
 
 }  // namespace ricochet

@@ -29,7 +29,7 @@ template <class Error = InputError, class Input = std::string, class Read>
 void expect_refusals(const Read& read, const std::vector<Refusal<Input>>& refusals) {
   for (const auto& refusal : refusals) {
     EXPECT_THAT(complaint_of<Error>([&] { return read(refusal.input); }),
-                testing::HasSubstr(refusal.message))
+                HasSubstr(refusal.message))
         << testing::PrintToString(refusal.input);
   }
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/suite/machine.h"
@@ -116,6 +118,25 @@ inline Machine exploratory_machine(const std::string& id) {
 inline Scene falling_ball(double height, double gravity, double restitution) {
   return with(Scene{}, set::wall_upper(infinity), set::start(height, 0), set::pull(gravity),
               set::restitution(restitution));
+}
+
+struct Bounce {
+  double time, speed;
+};
+
+/// The first impacts of a falling_ball in closed form, also under a friction [N].
+inline std::vector<Bounce> bounces_of(double height, long double gravity, long double restitution,
+                                      std::size_t number, double friction = 0) {
+  const long double up = gravity + friction, down = gravity - friction;
+  long double time = std::sqrt(2 * height / down), speed = down * time;
+  std::vector<Bounce> bounces;
+  while (bounces.size() < number) {
+    bounces.push_back({static_cast<double>(time), static_cast<double>(speed)});
+    const long double rebound = restitution * speed;
+    time += rebound / up + rebound / std::sqrt(up * down);
+    speed = rebound * std::sqrt(down / up);
+  }
+  return bounces;
 }
 
 }  // namespace ricochet::carrier_track

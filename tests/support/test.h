@@ -1,6 +1,7 @@
 #pragma once
 
-/// What most tests include, compiled once (tests/CMakeLists.txt).
+/// What most tests include, compiled once (tests/CMakeLists.txt), and what they call by its short
+/// name.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,3 +41,9 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+namespace ricochet {
+namespace fs = std::filesystem;
+using testing::AllOf, testing::Contains, testing::Each, testing::ElementsAre, testing::EndsWith,
+    testing::FieldsAre, testing::HasSubstr, testing::IsEmpty, testing::Not, testing::StartsWith;
+}  // namespace ricochet

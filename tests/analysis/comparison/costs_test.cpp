@@ -3,13 +3,11 @@
 #include "src/analysis/comparison/sections.h"
 #include "src/analysis/comparison/shares.h"
 #include "tests/analysis/comparison/made_up_results.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {
 
 using testing::_;
-using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
 /// Two runs with each solver: chance-a solves one of the first problem after 10 evaluations, and
@@ -20,31 +18,18 @@ std::vector<Outcome> usual_runs(const PlannedCell& cell) {
   return cell.cell.problem == "bowl-1" ? std::vector{run_of(10), run_of({})} : twice(run_of(40));
 }
 
-std::string two_runs(const std::string& problems, const std::string& solvers = "*") {
-  return part_of(problems, "solvers = \"" + solvers + "\"\nbudgets = [100]\ninstances = 2");
-}
-
-constexpr const char* both_bowls = R"(["bowl-1", "bowl-2"])";
-
-Row row_of(const Table& rows, const std::string& solver) {
-  return rows.find([&](const Row& row) { return row.text("solver") == solver; }).value();
-}
-
 TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
-  const MadeUp made(two_runs(both_bowls), usual_runs);
-  const Table table = speed_accuracy_table(made.campaign, made.sets());
-  ASSERT_EQ(table.rows.size(), 3U);
-  const Row a = row_of(table, "chance-a");
+  MadeUp made(two_runs(both_bowls), usual_runs);
+  const Table table = sorted(speed_accuracy_table(made.campaign, made.sets()), {"solver"});
+  EXPECT_THAT(rows_of(table, "solver,share,runs,part,complete,on_front"),
+              ElementsAre("chance-a | 0.75 | 4 | 1 | yes | yes", "chance-b | 1 | 4 | 1 | yes | yes",
+                          "luck | 0 | 4 | 1 | yes | no"));
   // 10 and 100 of one variable; 40 and 40 of two.
-  EXPECT_NEAR(a.number("evaluations"), std::sqrt(55.0 * 20.0), 1e-9);
-  EXPECT_NEAR(a.number("seconds"), std::sqrt((0.1 + 2) / 2 * 0.4), 1e-9);
-  EXPECT_LT(a.number("lower"), 0.75);
-  EXPECT_GT(a.number("upper"), 0.75);
-  EXPECT_NEAR(row_of(table, "chance-b").number("evaluations"), std::sqrt(50.0 * 25.0), 1e-9);
-  EXPECT_THAT(
-      rows_of(table, "solver,share,runs,part,complete,on_front"),
-      UnorderedElementsAre("chance-a | 0.75 | 4 | 1 | yes | yes",
-                           "chance-b | 1 | 4 | 1 | yes | yes", "luck | 0 | 4 | 1 | yes | no"));
+  EXPECT_NEAR(table[0].number("evaluations"), std::sqrt(55.0 * 20.0), 1e-9);
+  EXPECT_NEAR(table[0].number("seconds"), std::sqrt((0.1 + 2) / 2 * 0.4), 1e-9);
+  EXPECT_LT(table[0].number("lower"), 0.75);
+  EXPECT_GT(table[0].number("upper"), 0.75);
+  EXPECT_NEAR(table[1].number("evaluations"), std::sqrt(50.0 * 25.0), 1e-9);
   for (const bool by_time : {false, true}) {
     const report::Chart chart = speed_accuracy_chart(table, by_time);
     ASSERT_EQ(chart.series.size(), 2U) << "the front, and solvers of one kind";
@@ -55,10 +40,7 @@ TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
   EXPECT_EQ(front_sentence(table),
             "2 of 3 solvers are on the Pareto front; 0 more are statistically tied with the most "
             "accurate, chance-b.");
-}
-
-TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
-  MadeUp made(two_runs(both_bowls), usual_runs);
+  // Who takes some only is not on the front.
   std::erase_if(made.results, [](const CellResult& s) {
     return s.cell->cell.solver == "chance-a" && s.cell->cell.problem == "bowl-1";
   });
@@ -67,18 +49,18 @@ TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
       UnorderedElementsAre("chance-a | no | no", "chance-b | yes | yes", "luck | yes | no"));
 }
 
-TEST(SpeedAccuracy, JoinsFamiliesOfWhichEachSolverTakesAll) {
-  const MadeUp made(two_runs(R"(["bowl-1", "cup-s"])"), usual_runs);
-  const Table table = speed_accuracy_table(made.campaign, made.sets());
-  EXPECT_EQ(rows_of(table, "family,budget,solver,share").front(), "all | - | chance-a | 0.75");
-}
-
 TEST(SpeedAccuracy, OfNothingOrOneIsNothingOrOne) {
   const MadeUp made(two_runs("\"bowl-1\"", "luck"), usual_runs);
   EXPECT_TRUE(speed_accuracy_table(made.campaign, {}).rows.empty());
   const auto sets = made.sets();
   EXPECT_THAT(rows_of(speed_accuracy_table(made.campaign, sets), "share"), ElementsAre("0"));
   EXPECT_FALSE(sets[0].compared());
+  const MadeUp joined(two_runs(R"(["bowl-1", "cup-s"])"), usual_runs);
+  EXPECT_EQ(
+      rows_of(speed_accuracy_table(joined.campaign, joined.sets()), "family,budget,solver,share")
+          .front(),
+      "all | - | chance-a | 0.75")
+      << "of two families of which each solver takes all";
 }
 
 TEST(Kinds, HaveTheirBestAndThePapersAlgorithmItsVariants) {
@@ -109,7 +91,7 @@ TEST(Profiles, AreOfTheRatiosToTheLeast) {
               ElementsAre("chance-b | 0.5 | 1 | 1 | 1", "chance-a | 0.5 | 0.5 | 1 | 1",
                           "luck | 0 | 0 | 0 | 0"));
   // PAR10: (10 + 1000) / 2 and 20; 50 and 25; the least of both 50 and 20.
-  EXPECT_NEAR(row_of(table, "chance-a").number("cost"), std::sqrt(505.0 * 20), 1e-9);
+  EXPECT_NEAR(table[1].number("cost"), std::sqrt(505.0 * 20), 1e-9);
   EXPECT_NEAR(table[0].number("gap"), std::sqrt(1250.0 / 1000.0), 1e-9);
   EXPECT_EQ(page.chart("profile")->series.size(), 3U);
   EXPECT_EQ(page.chart("profile")->series[0].samples.front().value, 50);
@@ -118,13 +100,13 @@ TEST(Profiles, AreOfTheRatiosToTheLeast) {
 TEST(Ecdf, HasTheEndsAloneOfLevelParts) {
   const MadeUp made(two_runs(both_bowls, "chance-*"), usual_runs);
   const auto parts = made.rated();
-  const report::Chart chart = runtime_ecdf("bowl", 100, parts.at(0).most(0));
+  const std::vector<Rating>& ratings = parts.at(0).most(0);
+  const report::Chart chart = runtime_ecdf("bowl", 100, ratings);
   ASSERT_EQ(chart.series.size(), 2U);
-  for (const report::Series& series : chart.series) {
-    const auto& samples = series.samples;
+  for (const std::size_t s : {0U, 1U}) {
+    const auto& samples = chart.series[s].samples;
     EXPECT_EQ(samples.front().value, 0);
-    EXPECT_NEAR(*samples.back().value,
-                100 * parts[0].most(0)[&series - chart.series.data()].progress.back().share, 1e-9);
+    EXPECT_NEAR(*samples.back().value, 100 * ratings[s].progress.back().share, 1e-9);
     for (std::size_t i = 2; i < samples.size(); ++i) {
       EXPECT_FALSE(samples[i].value == samples[i - 1].value &&
                    samples[i].value == samples[i - 2].value);
@@ -135,27 +117,24 @@ TEST(Ecdf, HasTheEndsAloneOfLevelParts) {
 /// A run that solved its problem with the last of what it asked for, or not at all.
 Outcome asking_run(std::int64_t values, std::int64_t derivatives, double seconds,
                    bool solved = true) {
-  Outcome outcome;
-  outcome.evaluations = values + derivatives;
+  const std::int64_t evaluations = values + derivatives;
+  Outcome outcome = run_of(solved ? std::optional(evaluations) : std::nullopt);
+  outcome.evaluations = evaluations;
   outcome.values = values;
   outcome.derivatives = derivatives;
   outcome.seconds = seconds;
-  outcome.verdict.solved = outcome.verdict.returned_solved = solved;
-  if (solved) {
-    outcome.verdict.evaluations_to_solve = outcome.evaluations;
-    outcome.verdict.seconds_to_solve = seconds;
-  }
+  outcome.verdict.seconds_to_solve = seconds;
   return outcome;
 }
 
 /// On problems of one and of two variables chance-a has `a` as its only run, chance-b `b`; luck
 /// never solves anything.
 Table ranges_of(const Outcome& a, const Outcome& b) {
+  const Outcome nothing = asking_run(100, 0, 0.1, false);
   const MadeUp made(part_of(both_bowls, "solvers = \"*\"\nbudgets = [100]\ninstances = 1"),
                     [&](const PlannedCell& cell) {
                       const std::string& solver = cell.cell.solver;
-                      if (solver == "luck") return std::vector{asking_run(100, 0, 0.1, false)};
-                      return std::vector{solver == "chance-a" ? a : b};
+                      return std::vector{solver == "luck" ? nothing : solver == "chance-a" ? a : b};
                     });
   EXPECT_EQ(made.sets().size(), 1U);
   report::Results page;
@@ -198,17 +177,15 @@ TEST(BreakEven, DependsOnThePriceOfAGradientAndOnWhatIsAskedUntilARunSolves) {
 
 TEST(OwnSolver, StandsBesideTheOthersOfItsFamilyUnlessItIsOfTheSuite) {
   // Of eight bowls "weak" never solves any, "mine" and "equal" all, and "strong" not the first.
-  const MadeUp made(
-      part_of("\"*\"", "solvers = [\"*\", \"./mine\"]\nbudgets = 100\ninstances = 2"),
-      [](const PlannedCell& cell) {
-        const std::string& solver = cell.cell.solver;
-        const bool fails =
-            solver == "weak" || (solver == "strong" && cell.cell.problem == "bowl-1");
-        return twice(fails ? run_of({}) : run_of(100));
-      },
-      bowls_and(8, {"weak", "equal", "strong"}));
+  const auto runs_of = [](const PlannedCell& cell) {
+    const std::string& solver = cell.cell.solver;
+    const bool fails = solver == "weak" || (solver == "strong" && cell.cell.problem == "bowl-1");
+    return twice(fails ? run_of({}) : run_of(100));
+  };
+  const MadeUp made(part_of("\"*\"", "solvers = [\"*\", \"./mine\"]\nbudgets = 100\ninstances = 2"),
+                    runs_of, bowls_and(8, {"weak", "equal", "strong"}));
   std::vector<Solver> suite = {chance("weak"), chance("equal"), chance("strong")};
-  report::Results page;
+  report::Results page, none;
   add_own_solvers(made.campaign, made.sets(), suite, page);
   // Of weak eight of eight problems differ, of strong one.
   EXPECT_THAT(
@@ -217,7 +194,6 @@ TEST(OwnSolver, StandsBesideTheOthersOfItsFamilyUnlessItIsOfTheSuite) {
   EXPECT_LT((*page.table("own-solvers"))[0].number("lower"), 0.9);
   EXPECT_THAT(rows_of(*page.table("own-totals"), "solved,problems"), ElementsAre("8 | 8"));
   suite.push_back(chance("mine"));
-  report::Results none;
   add_own_solvers(made.campaign, made.sets(), suite, none);
   EXPECT_TRUE(none.table("own-solvers")->rows.empty());
   EXPECT_TRUE(none.table("own-totals")->rows.empty());

@@ -1,15 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "src/analysis/comparison/group.h"
 #include "src/analysis/comparison/reported_part.h"
 #include "src/report/table.h"
@@ -76,6 +66,14 @@ inline Catalogue bowls_and(int bowls, const std::vector<std::string>& solvers) {
   for (const std::string& name : solvers) catalogue.solvers.push_back(chance(name));
   return catalogue;
 }
+
+/// A part with two runs in each cell.
+inline std::string two_runs(const std::string& problems, const std::string& solvers = "*",
+                            const std::string& more = "") {
+  return part_of(problems, "solvers = \"" + solvers + "\"\nbudgets = 100\ninstances = 2\n" + more);
+}
+
+constexpr const char* both_bowls = R"(["bowl-1", "bowl-2"])";
 
 /// The rows of a table in these columns, which are given with commas between: "a | 0.5 | yes", and
 /// "-" for what is missing. Numbers have all their digits.

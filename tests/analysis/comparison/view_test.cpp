@@ -1,14 +1,9 @@
 #include "src/analysis/comparison/view.h"
 
 #include "tests/analysis/comparison/made_up_results.h"
-#include "tests/support/numbers.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies::comparison {
 namespace {
-
-using testing::ElementsAre;
-using testing::FieldsAre;
 
 using ricochet::comparison::Outcome;
 using ricochet::comparison::Targets;
@@ -42,50 +37,32 @@ TEST(ViewRun, HasTheTimesOfTheLevelsThatTheReturnedPointReaches) {
   // A problem of one target is solved on every level or none.
   EXPECT_THAT(view_run(outcome_with(1, {{9, 0, 1}}), {1}).times, ElementsAre(9, 9, 9));
   EXPECT_EQ(view_run(outcome_with(2, {{9, 0, 2}}), {1}).missing, 1);
-}
-
-TEST(ViewRun, TakesThirdsOfTheTargetsRoundedUp) {
-  EXPECT_EQ(targets_at(0, 51), 17);
-  EXPECT_EQ(targets_at(1, 51), 34);
-  EXPECT_EQ(targets_at(2, 51), 51);
-  EXPECT_EQ(targets_at(0, 4), 2);
+  EXPECT_EQ(targets_at(0, 4), 2) << "thirds are rounded up";
   EXPECT_EQ(targets_at(1, 4), 3);
 }
 
-/// Reads digits by arithmetic on the characters, in place of a table.
-class Reader {
- public:
-  explicit Reader(const std::string& text) : text_(text) {}
+/// Takes a digit off the text: by arithmetic on the character, in place of a table.
+int take_digit(std::string_view& text) {
+  const char c = text.at(0);
+  text.remove_prefix(1);
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : 63;
+}
 
-  int digit() {
-    const char c = text_.at(at_++);
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' ? 62 : 63;
+std::int64_t take_number(std::string_view& text) {
+  std::int64_t bits = 0;
+  for (int shift = 0;; shift += 5) {
+    const int next = take_digit(text);
+    bits |= static_cast<std::int64_t>(next & 31) << shift;
+    if ((next & 32) == 0) return bits;
   }
-
-  std::int64_t number() {
-    std::int64_t bits = 0;
-    for (int shift = 0;; shift += 5) {
-      const int next = digit();
-      bits |= static_cast<std::int64_t>(next & 31) << shift;
-      if ((next & 32) == 0) return bits;
-    }
-  }
-
-  bool ended() const { return at_ == text_.size(); }
-
- private:
-  std::string text_;
-  std::size_t at_ = 0;
-};
+}
 
 TEST(ViewRunsText, GivesEveryRunBack) {
   std::mt19937 random(7);
-  const auto below = [&](int end) {
-    return static_cast<std::int64_t>(random() % static_cast<unsigned>(end));
-  };
+  const auto below = [&](unsigned end) { return static_cast<std::int64_t>(random() % end); };
   constexpr std::int64_t budget = 5000;
   constexpr std::size_t targets = 90;
   std::vector<ViewRun> runs;
@@ -101,55 +78,41 @@ TEST(ViewRunsText, GivesEveryRunBack) {
     writer.add(run, budget);
     runs.push_back(run);
   }
-  Reader missing(writer.text().missing), times(writer.text().times);
-  Reader spent(writer.text().spent), repeats(writer.text().repeats);
-  std::int64_t single = repeats.number();
-  std::int64_t whole = spent.number();
+  const ViewRunsText& text = writer.text();
+  std::string_view missing = text.missing, times = text.times, spent = text.spent;
+  std::string_view repeats = text.repeats;
+  std::int64_t single = take_number(repeats), whole = take_number(spent);
   for (const ViewRun& run : runs) {
-    std::int64_t left_out = missing.digit();
-    if (left_out == 63) left_out += missing.number();
+    std::int64_t left_out = take_digit(missing);
+    if (left_out == 63) left_out += take_number(missing);
     EXPECT_EQ(left_out, run.missing);
     EXPECT_EQ(single == 0, run.repeats);
-    single = single != 0 ? single - 1 : repeats.ended() ? -1 : repeats.number();
+    single = single != 0 ? single - 1 : repeats.empty() ? -1 : take_number(repeats);
     std::int64_t time = 0;
-    for (const std::int64_t own : run.times) EXPECT_EQ(time += times.number(), own);
+    for (const std::int64_t own : run.times) EXPECT_EQ(time += take_number(times), own);
     if (run.missing == 0) continue;
     std::int64_t evaluations = budget;
     if (whole-- == 0) {
-      const std::int64_t code = spent.number();
+      const std::int64_t code = take_number(spent);
       evaluations += code % 2 == 0 ? -code / 2 : (code + 1) / 2;
-      whole = spent.ended() ? -1 : spent.number();
+      whole = spent.empty() ? -1 : take_number(spent);
     }
     EXPECT_EQ(evaluations, run.evaluations);
   }
-  EXPECT_TRUE(missing.ended());
-  EXPECT_TRUE(times.ended());
-  EXPECT_TRUE(spent.ended());
-  EXPECT_TRUE(repeats.ended());
+  EXPECT_THAT((std::array{missing, times, spent, repeats}), Each(IsEmpty()));
 }
 
-TEST(ViewOrderText, IsThisOfTheseRuns) {
-  ViewOrderWriter order;
-  order.add({0, 0, 1}, {5, 10});
-  EXPECT_EQ(order.text(), "") << "the first needs no place";
-  order.add({0, 0, 1}, {5, 10});  // equal to it: 1 of 3, two bits
-  order.add({0, 1, 1}, {4, 10});  // another run
-  order.add({0, 0, 2}, {6, 10});  // with other targets missing
-  order.add({1, 0, 1}, {4, 10});  // another problem
-  EXPECT_EQ(order.text(), "B");
-  order.add({0, 0, 1}, {5, 9});   // before both: 0 of 3, two bits
-  order.add({0, 0, 1}, {7, 10});  // after two values: 4 of 5, three bits: 1, 0 and 0, 0, 1
-  EXPECT_EQ(order.text(), "BB");
-}
+/// In each group the runs that are alike, the first of the order first.
+using Orders = std::map<RankedTogether, std::vector<std::vector<std::size_t>>>;
 
-/// The runs that are alike, the first of the order first, if all are ranked together: from its
-/// bits.
-std::vector<std::vector<std::size_t>> order_in(const std::string& text, std::size_t runs) {
+/// From the bits of their order, the group of each run being known.
+Orders orders_in(std::string_view text, const std::vector<RankedTogether>& groups) {
   std::vector<int> digits;
-  for (Reader reader(text); !reader.ended();) digits.push_back(reader.digit());
+  while (!text.empty()) digits.push_back(take_digit(text));
   std::size_t at = 0;
-  std::vector<std::vector<std::size_t>> values;
-  for (std::size_t run = 0; run < runs; ++run) {
+  Orders orders;
+  for (std::size_t run = 0; run < groups.size(); ++run) {
+    auto& values = orders[groups[run]];
     std::size_t position = 0;
     for (std::size_t weight = 1; weight <= 2 * values.size(); weight *= 2, ++at) {
       position += weight * (static_cast<unsigned>(digits.at(at / 6)) >> (at % 6) & 1U);
@@ -161,24 +124,28 @@ std::vector<std::vector<std::size_t>> order_in(const std::string& text, std::siz
       values.insert(place, {run});
     }
   }
-  return values;
+  EXPECT_EQ(digits.size(), (at + 5) / 6);
+  return orders;
 }
 
 TEST(ViewOrderText, GivesTheOrderBack) {
   std::mt19937 random(3);
   for (const unsigned many : {3U, 40U, 1000U}) {
     ViewOrderWriter order;
-    std::map<std::pair<double, double>, std::vector<std::size_t>> sorted;
-    for (std::size_t k = 0; k < 200; ++k) {
+    std::vector<RankedTogether> groups;
+    std::map<RankedTogether, std::map<std::pair<double, double>, std::vector<std::size_t>>> sorted;
+    for (std::size_t k = 0; k < 400; ++k) {
+      groups.emplace_back(random() % 2, random() % 2, random() % 2);
       const auto drawn = static_cast<double>(random() % many);
-      const double value = k % 50 == 0 ? infinity : drawn;
-      const auto cost = static_cast<double>(random() % 2);
-      order.add({4, 2, 9}, {value, cost});
-      sorted[{value, cost}].push_back(k);
+      const double value = k % 50 == 0 ? infinity : drawn, cost = random() % 2 == 0 ? 1 : 2;
+      order.add(groups.back(), {value, cost});
+      sorted[groups.back()][{value, cost}].push_back(k);
     }
-    std::vector<std::vector<std::size_t>> expected;
-    for (const auto& [reached, runs] : sorted) expected.push_back(runs);
-    EXPECT_EQ(order_in(order.text(), 200), expected);
+    Orders expected;
+    for (const auto& [group, values] : sorted) {
+      for (const auto& [reached, runs] : values) expected[group].push_back(runs);
+    }
+    EXPECT_EQ(orders_in(order.text(), groups), expected);
   }
 }
 
@@ -197,39 +164,33 @@ report::Results view_of(const std::string& plan) {
                    {made.campaign.solvers().front()});
 }
 
-constexpr const char* both = R"(["bowl-1", "bowl-2"])";
-const std::string two_bowls =
-    part_of(both, "solvers = \"chance-*\"\nbudgets = [100]\ninstances = 2");
-
 TEST(ViewData, HasEveryRunOfAnEntryAndItsNames) {
-  const report::Results view = view_of(two_bowls);
+  const report::Results view = view_of(two_runs(both_bowls, "chance-*"));
   EXPECT_THAT(rows_of(*view.table("view-solvers"), "solver,outside"),
               ElementsAre("chance-a | no", "chance-b | yes"))
       << "none of those that are known";
+  // They take all problems; the last run is the one before it again.
   const Table& entries = *view.table("view-entries");
-  EXPECT_THAT(rows_of(entries, "solver,budget,instances,problems"),
-              ElementsAre("0 | 100 | 2 | ", "1 | 100 | 2 | "))
-      << "it takes all problems";
-  const Row entry = entries[1];
+  EXPECT_THAT(rows_of(entries, "solver,budget,instances,problems,times,repeats"),
+              ElementsAre("0 | 100 | 2 |  | BAACAA | D", "1 | 100 | 2 |  | BAACAA | D"));
   EXPECT_EQ(*view.value("first_instance"), Value(std::int64_t{1}));
   EXPECT_THAT(rows_of(*view.table("view-problems"), "problem"), ElementsAre("bowl-1", "bowl-2"));
   // Two runs that miss nothing, then two that miss all targets, of which each left 10 or 110.
-  EXPECT_EQ(entry.text("missing").substr(0, 2), "AA");
-  EXPECT_EQ(entry.text("times"), "BAACAA");
-  EXPECT_EQ(entry.text("spent").front(), 'A');
-  EXPECT_EQ(entry.text("repeats"), "D") << "the last run is the one before it again";
+  EXPECT_THAT(entries[1].text("missing"), StartsWith("AA"));
+  EXPECT_THAT(entries[1].text("spent"), StartsWith("A"));
   // On bowl-2 each run equals that of the entry before it: 1, in two bits, twice.
   EXPECT_THAT(rows_of(*view.table("view-orders"), "order"), ElementsAre("F"));
 }
 
 TEST(ViewData, SaysWhichProblemsAnEntryTakesIfNotAll) {
   const report::Results view =
-      view_of(two_bowls + part_of(both, "name = \"more\"\nbudgets = [10]\ninstances = 1") +
+      view_of(two_runs(both_bowls, "chance-*") +
+              part_of(both_bowls, "name = \"more\"\nbudgets = [10]\ninstances = 1") +
               part_of("[\"bowl-2\"]", "name = \"again\"\nsolvers = \"chance-b\"\ninstances = 1"));
   EXPECT_THAT(rows_of(*view.table("view-families"), "family,problems"),
               ElementsAre("bowl | 0 1", "bowl-more | 0 1", "bowl-again | 1"));
   const report::Results mixed =
-      view_of(part_of(both, "instances = 1") +
+      view_of(part_of(both_bowls, "instances = 1") +
               part_of("[\"bowl-2\"]", "name = \"b\"\nsolvers = [\"*\"]\ninstances = 2"));
   std::string taken;
   each_row(*mixed.table("view-entries"), [&](const Row& entry) {

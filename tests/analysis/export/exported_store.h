@@ -1,14 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <map>
-#include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "src/analysis/rating.h"
 #include "src/experiment/store.h"
 #include "tests/support/files.h"
@@ -19,15 +10,9 @@ namespace ricochet::exports {
 inline CampaignDescription hard_description() {
   CampaignDescription description;
   description.plan = "name = \"mine\"\n";
-  description.problems = {{"top-speed C1",
-                           "speed",
-                           "C1",
-                           1,
-                           1,
-                           0,
-                           0.01,
-                           -8.25,
-                           {{"restitution", 0.1}, {"friction", 0.25}, {"disturbance", 1.0 / 3}}},
+  const std::map<std::string, double> factors = {
+      {"restitution", 0.1}, {"friction", 0.25}, {"disturbance", 1.0 / 3}};
+  description.problems = {{"top-speed C1", "speed", "C1", 1, 1, 0, 0.01, -8.25, factors},
                           {"profile_6", "count", "C4", 6, 0, 0, 0.5, 3, {{"restitution", 0.9}}},
                           {"wide", "classic", "", 12, 2, 1, 1e-6, 0, {}},
                           {"profile/5", "count", "", 5, 0, 0, 0.5, 1e-3, {}}};
@@ -54,17 +39,14 @@ inline RunRecord any_run(const StoredProblem& problem, std::int64_t budget,
   record.ledger.values = record.ledger.charged;
   record.ledger.derivatives = below(4);
   record.ledger.seconds = uniform();
-  record.terminations = {{"tolerance reached"}, {"tolerance reached"}, {"said, \"enough\""}};
+  record.terminations = {{"tolerance reached"}, {"tolerance reached"}, {"said \"enough\""}};
   if (kind == 0 || kind == 2) record.failure = "thrown, with \"quotes\"\nin two lines";
-  double objective = problem.best_known + 10;
-  double violation = 2;
+  double objective = problem.best_known + 10, violation = 2, seconds = 0;
   std::int64_t evaluations = 1 + below(3);
-  double seconds = 0;
   while (evaluations <= record.ledger.charged && random() % 8 != 0) {
     Vector x(problem.variables);
     for (double& coordinate : x) coordinate = uniform();
-    if (violation > 0 && kind != 3) violation = random() % 2 == 0 ? 0 : violation / 2;
-    if (kind == 3) violation /= 2;
+    if (violation > 0) violation = kind != 3 && random() % 2 == 0 ? 0 : violation / 2;
     if (violation == 0) objective = problem.best_known + (objective - problem.best_known) / 3;
     if (random() % 40 == 0) objective = problem.best_known;  // nothing is better
     seconds += uniform() / 100;
@@ -85,7 +67,7 @@ class ExportedStore : public TemporaryFolder {
   const CampaignDescription description = hard_description();
   Store store = Store::create(made(folder_) / "runs.sqlite", description);
   std::map<RunKey, RunRecord> records;  ///< a store hands them over in the order of their keys
-  const std::filesystem::path out = made(folder_ / "out");
+  const fs::path out = made(folder_ / "out");
 
   void SetUp() override {
     std::mt19937_64 random(7);
@@ -94,17 +76,16 @@ class ExportedStore : public TemporaryFolder {
         for (const char* perturbation : {"plain", "noisy"}) {
           for (const std::int64_t budget : {2, 30}) {
             const Cell cell{problem.name, "original", perturbation, solver.name, budget, "n"};
-            for (int k = 0; k < 6; ++k) {
+            for (int k = 0; k < 6; ++k)
               add({cell, 1 + k / 2, k % 2}, any_run(problem, budget, random));
-            }
           }
         }
       }
     }
   }
 
-  static std::filesystem::path made(const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder);
+  static fs::path made(const fs::path& folder) {
+    fs::create_directories(folder);
     return folder;
   }
 
@@ -129,10 +110,7 @@ class ExportedStore : public TemporaryFolder {
   }
 
   const StoredProblem& problem(const std::string& name) const {
-    for (const StoredProblem& each : description.problems) {
-      if (each.name == name) return each;
-    }
-    throw std::logic_error(name);
+    return *std::ranges::find(description.problems, name, &StoredProblem::name);
   }
 
   /// Best optimality gap among feasible points up to a number of evaluations, straight from the

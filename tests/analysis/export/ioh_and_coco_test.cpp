@@ -3,53 +3,45 @@
 #include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
 #include "tests/support/numbers.h"
-#include "tests/support/test.h"
 
 namespace ricochet::exports {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 TEST(Numbering, HasAnotherNameForEveryAlgorithmThatAnyFileMayHave) {
   Numbering numbering{CampaignDescription()};
   std::set<std::string> names;
-  std::size_t algorithms = 0;
   for (const char* solver : {"a b", "a_b", "a/b", "", ".a", "-a", "../..", "ä", "a\n\"b\"'"}) {
     for (const std::string& formulation : {std::string("count"), std::string(300, 'f')}) {
       for (const std::int64_t budget : {1, 10}) {
-        const std::string name =
-            numbering.algorithm({"q", formulation, "plain", solver, budget, "n"});
+        Cell cell{"q", formulation, "plain", solver, budget, "n"};
+        const std::string name = numbering.algorithm(cell);
         EXPECT_TRUE(std::regex_match(name, std::regex("[A-Za-z0-9_+][-A-Za-z0-9._+]{0,99}")))
             << name;
-        EXPECT_EQ(numbering.algorithm({"other", formulation, "plain", solver, budget, "n"}), name);
-        names.insert(name);
-        ++algorithms;
+        EXPECT_TRUE(names.insert(name).second) << name << " is of two";
+        cell.problem = "other";
+        EXPECT_EQ(numbering.algorithm(cell), name);
       }
     }
   }
-  EXPECT_EQ(names.size(), algorithms);
-}
-
-using Rows = std::vector<std::pair<std::int64_t, double>>;
-
-/// Evaluations and optimality gaps of the rows.
-Rows best_rows(const std::vector<comparison::Step>& steps, std::int64_t evaluations) {
-  comparison::Outcome outcome;
-  outcome.steps = steps;
-  outcome.evaluations = evaluations;
-  outcome.seconds = 7;
-  Rows all;
-  for (const auto& row : best_so_far(outcome)) {
-    all.emplace_back(row.evaluations, row.optimality_gap);
-  }
-  return all;
 }
 
 TEST(BestSoFar, HasNoOptimalityGapTwiceAndNoneThatIsNoNumber) {
-  EXPECT_EQ(best_rows({{2, 0, 3}, {3, 0, 3}, {3, 0, 2}, {3, 0, 1}, {4, 0, 1}}, 5),
+  using Rows = std::vector<std::pair<std::int64_t, double>>;  // evaluations and optimality gaps
+  const auto best_rows = [](std::int64_t evaluations, std::vector<comparison::Step> steps) {
+    comparison::Outcome outcome;
+    outcome.steps = std::move(steps);
+    outcome.evaluations = evaluations;
+    Rows rows;
+    for (const auto& row : best_so_far(outcome)) {
+      rows.emplace_back(row.evaluations, row.optimality_gap);
+    }
+    return rows;
+  };
+  EXPECT_EQ(best_rows(5, {{2, 0, 3}, {3, 0, 3}, {3, 0, 2}, {3, 0, 1}, {4, 0, 1}}),
             (Rows{{1, 1e30}, {2, 3}, {3, 1}, {5, 1}}));
-  EXPECT_EQ(best_rows({{2, 0, infinity}, {3, 0, -infinity}, {4, 0, std::nan("")}, {5, 0, 1e31}}, 6),
+  EXPECT_EQ(best_rows(6, {{2, 0, infinity}, {3, 0, -infinity}, {4, 0, quiet_nan}, {5, 0, 1e31}}),
             (Rows{{1, 1e30}, {6, 1e30}}));
 }
 
@@ -59,11 +51,9 @@ class SuiteFiles : public ExportedStore {
  protected:
   using Files = std::map<std::string, std::string>;  ///< texts, by paths
 
-  /// The cell and its runs.
-  using Runs = std::vector<std::pair<RunKey, RunRecord>>;
-
-  std::map<Cell, Runs> cells() const {
-    std::map<Cell, Runs> all;
+  /// The runs of each cell.
+  auto cells() const {
+    std::map<Cell, std::vector<std::pair<RunKey, RunRecord>>> all;
     for (const auto& run : records) all[run.first.cell].push_back(run);
     return all;
   }
@@ -87,15 +77,13 @@ class SuiteFiles : public ExportedStore {
   }
 
   /// Evaluation 1, those that lowered the optimality gap, and the last.
-  std::vector<std::int64_t> turns_of(const RunKey& key, const RunRecord& record) const {
+  std::set<std::int64_t> turns_of(const RunKey& key, const RunRecord& record) const {
     std::set<std::int64_t> all = {1, end_of(record)};
     for (const Improvement& step : record.trace) {
-      if (optimality_gap_after(key, step.evaluations) <
-          optimality_gap_after(key, step.evaluations - 1)) {
-        all.insert(step.evaluations);
-      }
+      const std::int64_t at = step.evaluations;
+      if (optimality_gap_after(key, at) < optimality_gap_after(key, at - 1)) all.insert(at);
     }
-    return {all.begin(), all.end()};
+    return all;
   }
 
   Files written() const {
@@ -156,7 +144,7 @@ TEST_F(Coco, RowsAreWhatTheRecordsSay) {
   write_coco(store, {}, out);
   EXPECT_EQ(written(), expected);
   EXPECT_EQ(expected.size(), 12U * 4 * 3) << "12 algorithms: 3 solvers, 2 perturbations, 2 budgets";
-  EXPECT_THAT(text_of(out / "README.txt"), testing::HasSubstr("functions 1 to 24."));
+  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("functions 1 to 24."));
 }
 
 using IohAnalyzer = SuiteFiles;
@@ -169,11 +157,8 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
   for (const auto& [cell, runs] : cells()) {
     const StoredProblem& asked = problem(cell.problem);
     const int id = id_of(asked);
-    const std::string name = std::map<int, std::string>{
-        {1, "profile_6"},
-        {2, "profile_5"},
-        {3, "top-speed_C1"},
-        {4, "wide"}}.at(id);
+    const char* const names[] = {"profile_6", "profile_5", "top-speed_C1", "wide"};
+    const std::string name = names[id - 1];
     const std::string path =
         fmt::format("data_f{}_{}/IOHprofiler_f{}_DIM{}.dat", id, name, id, asked.variables);
     std::string rows;
@@ -192,13 +177,13 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
         }
         rows += fmt::format("{} {} {} {}\n", evaluations, gap, seconds, record.ledger.derivatives);
       }
-      json x = json::array();
-      if (!record.trace.empty())
-        x = std::vector<double>(record.trace.back().x.begin(), record.trace.back().x.end());
-      told.push_back(
-          {{"instance", key.instance},
-           {"evals", end_of(record)},
-           {"best", {{"evals", best}, {"y", optimality_gap_after(key, best)}, {"x", x}}}});
+      const Vector x = record.trace.empty() ? Vector() : record.trace.back().x;
+      told.push_back({{"instance", key.instance},
+                      {"evals", end_of(record)},
+                      {"best",
+                       {{"evals", best},
+                        {"y", optimality_gap_after(key, best)},
+                        {"x", std::vector(x.begin(), x.end())}}}});
     }
     json attributes = json::array();
     for (const auto& [factor, value] : asked.factors) {
@@ -206,9 +191,7 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
     }
     attributes.push_back({{"formulation", "original"}});
     attributes.push_back({{"perturbation", cell.perturbation}});
-    const auto solver =
-        std::find_if(description.solvers.begin(), description.solvers.end(),
-                     [&, &own = cell](const auto& each) { return each.name == own.solver; });
+    const auto solver = std::ranges::find(description.solvers, cell.solver, &StoredSolver::name);
     const json head = {
         {"version", "0.3.18"},
         {"suite", "ricochet"},
@@ -228,7 +211,7 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
     EXPECT_EQ(json::parse(files[root + fmt::format("IOHprofiler_f{}_{}.json", id, name)]), head);
   }
   EXPECT_EQ(files.size(), 12U * 4 * 2) << "12 algorithms: 3 solvers, 2 perturbations, 2 budgets";
-  EXPECT_THAT(text_of(out / "README.txt"), testing::HasSubstr("450 instead of 310"));
+  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("450 instead of 310"));
 }
 
 }  // namespace

@@ -1,20 +1,11 @@
 #include "src/analysis/export/formats.h"
 #include "tests/analysis/export/exported_store.h"
-#include "tests/support/test.h"
 
 namespace ricochet::exports {
 namespace {
 
 using comparison::RatedFamily;
-using testing::AllOf;
-using testing::Contains;
-using testing::Each;
-using testing::ElementsAre;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::Not;
 using testing::SizeIs;
-using testing::StartsWith;
 
 /// For each line that is a row, how often `bar` separates its cells: it may be escaped.
 std::vector<std::size_t> separators_in(const std::string& text, char bar,
@@ -34,44 +25,36 @@ bool is_latex_row(const std::string& line) {
   return line.ends_with(" \\\\");
 }
 
-using Latex = ExportedStore;
+using Tables = ExportedStore;
 
-TEST_F(Latex, HasARowForEveryCell) {
-  add_worked_cell("*[a");
+TEST_F(Tables, HaveARowForEveryCell) {
+  add_worked_cell("*[a*");
   write_latex(store, {}, out);
-  const std::string text = text_of(out / "table.tex");
-  EXPECT_THAT(separators_in(text, '&', is_latex_row),
-              AllOf(SizeIs(4 * 3 * 2 * 2 + 1 + 2), Each(11)))
+  const std::string latex = text_of(out / "table.tex");
+  constexpr std::size_t cells = 4 * 3 * 2 * 2 + 1;
+  EXPECT_THAT(separators_in(latex, '&', is_latex_row), AllOf(SizeIs(cells + 2), Each(11)))
       << "and the header, for the first page and the others";
-  EXPECT_THAT(text, HasSubstr("a\\textbar{}b\\_c\\%d\\{e\\}\\textbackslash{}f\\#g\\$h\\&i"
-                              "\\textasciitilde{}j\\textasciicircum{}k-{}-l & original"));
-  EXPECT_THAT(lines_of(text),
-              Contains(AllOf(StartsWith("profile/5 & nlopt-cobyla & {*}{[}a & plain & n & 7 & 4 & "
-                                        "50 & 15 to 85 & 14 & "),
-                             EndsWith(" & 1 \\\\"))));
-}
-
-using Markdown = ExportedStore;
-
-TEST_F(Markdown, HasARowForEveryCell) {
-  add_worked_cell("*a*");
+  EXPECT_THAT(latex, HasSubstr("a\\textbar{}b\\_c\\%d\\{e\\}\\textbackslash{}f\\#g\\$h\\&i"
+                               "\\textasciitilde{}j\\textasciicircum{}k-{}-l & original"));
+  EXPECT_THAT(
+      lines_of(latex),
+      Contains(AllOf(StartsWith("profile/5 & nlopt-cobyla & {*}{[}a{*} & plain & n & 7 & 4 & "
+                                "50 & 15 to 85 & 14 & "),
+                     EndsWith(" & 1 \\\\"))));
   write_markdown(store, {}, out);
-  const std::string text = text_of(out / "table.md");
+  const std::string markdown = text_of(out / "table.md");
   const auto is_row = [](const std::string& line) { return line.starts_with("| "); };
-  EXPECT_THAT(separators_in(text, '|', is_row), AllOf(SizeIs(4 * 3 * 2 * 2 + 1 + 1), Each(13)))
+  EXPECT_THAT(separators_in(markdown, '|', is_row), AllOf(SizeIs(cells + 1), Each(13)))
       << "and the header";
-  EXPECT_THAT(lines_of(text),
-              Contains(AllOf(StartsWith("| profile/5 | nlopt-cobyla | \\*a\\* | plain | n | 7 | 4 "
+  EXPECT_THAT(lines_of(markdown),
+              Contains(AllOf(StartsWith("| profile/5 | nlopt-cobyla | \\*[a\\* | plain | n | 7 | 4 "
                                         "| 50 | 15 to 85 | 14 | "),
                              EndsWith(" | 1 |"))));
 }
 
 /// A family of two problems with so many ranked entries, and one that is not ranked.
 RatedFamily rated(const std::string& family, int entries) {
-  RatedFamily made;
-  made.name = family;
-  made.problems = 2;
-  made.budget = 100;
+  RatedFamily made{family, 2, 100, {}, {}};
   for (int k = 0; k <= entries; ++k) {
     comparison::Rating& rating = made.ratings.emplace_back();
     rating.solver = "solver_" + std::to_string(k);
@@ -111,9 +94,8 @@ TEST_F(RatingsCsv, HaveARowForEveryFamilyAndEntry) {
 using LatexSummary = ExportedStore;
 
 TEST_F(LatexSummary, HasTheRankedEntriesOfEachFamilyThatSolvedARun) {
-  RatedFamily some = rated("some", 2);
+  RatedFamily some = rated("some", 2), none = rated("none", 2);
   some.ratings[0].returned = 0;
-  RatedFamily none = rated("none", 2);
   for (comparison::Rating& rating : none.ratings) rating.returned = 0;
   write_latex_summary({rated("top_speed", 2), some, none}, out);
   const std::string text = text_of(out / "summary.tex");
@@ -147,9 +129,9 @@ TEST_F(LatexSummary, FitsAPage) {
       "\\documentclass[a4paper]{article}\n\\usepackage{booktabs}\n\\usepackage{graphicx}\n"
       "\\usepackage{textcomp}\n\\usepackage[T1]{fontenc}\n\\begin{document}\n"
       "\\input{summary.tex}\n\\end{document}\n");
-  const std::string command = fmt::format(
-      "cd '{}' && pdflatex -interaction=batchmode page.tex >/dev/null 2>&1", out.string());
-  const int status = std::system(command.c_str());
+  const int status = std::system(
+      ("cd '" + out.string() + "' && pdflatex -interaction=batchmode page.tex >/dev/null 2>&1")
+          .c_str());
   const std::string log = text_of(out / "page.log");
   EXPECT_EQ(status, 0) << log;
   EXPECT_THAT(log, AllOf(HasSubstr("page.pdf (1 page"), Not(HasSubstr("Overfull")),

@@ -7,18 +7,19 @@
 namespace ricochet {
 namespace {
 
+using testing::DoubleNear;
+
 TEST(WilsonInterval, IsAsPublished) {
-  // Newcombe 1998, Statistics in Medicine 17, 857, table I, method 3: four digits.
   struct Published {
     double successes, trials, lower, upper;
   };
+  // Newcombe 1998, Statistics in Medicine 17, 857, table I, method 3: four digits.
   for (const auto& [successes, trials, lower, upper] : {Published{81, 263, 0.2553, 0.3662},
                                                         {15, 148, 0.0624, 0.1605},
                                                         {0, 20, 0, 0.1611},
                                                         {1, 29, 0.0061, 0.1718}}) {
-    const Interval interval = wilson_interval(successes, trials);
-    EXPECT_NEAR(interval.lower, lower, 5e-5) << successes;
-    EXPECT_NEAR(interval.upper, upper, 5e-5) << successes;
+    EXPECT_THAT(wilson_interval(successes, trials),
+                FieldsAre(DoubleNear(lower, 5e-5), DoubleNear(upper, 5e-5)));
   }
 }
 
@@ -41,29 +42,23 @@ TEST(WilsonInterval, EndsWhereTheShareIsJustCompatible) {
 TEST(MeanShare, IsWilsonsWhereSharesAreAllOrNothing) {
   for (const int ones : {0, 3, 20}) {
     std::vector<double> shares(20, 0.0);
-    for (int k = 0; k < ones; ++k) shares[static_cast<std::size_t>(k)] = 1;
-    const MeanShare share = mean_share(shares);
-    EXPECT_EQ(share.mean, ones / 20.0);
-    EXPECT_NEAR(share.interval.lower, wilson_interval(ones, 20).lower, 0.002);
-    EXPECT_NEAR(share.interval.upper, wilson_interval(ones, 20).upper, 0.002);
+    std::fill_n(shares.begin(), ones, 1);
+    const Interval wilson = wilson_interval(ones, 20);
+    EXPECT_THAT(mean_share(shares),
+                FieldsAre(ones / 20.0, FieldsAre(DoubleNear(wilson.lower, 0.002),
+                                                 DoubleNear(wilson.upper, 0.002))));
   }
 }
 
 TEST(MeanShare, IsStudentsWhereSharesAreManyAndInTheMiddle) {
   Random random(8);
-  std::vector<double> shares;
-  double sum = 0;
-  double squares = 0;
-  for (int i = 0; i < 1000; ++i) {
-    shares.push_back(0.4 + 0.2 * uniform(random));
-    sum += shares.back();
-    squares += shares.back() * shares.back();
-  }
-  const double half = 1.96 * std::sqrt((squares / 1000 - std::pow(sum / 1000, 2)) / 1000);
-  const MeanShare share = mean_share(shares);
-  EXPECT_NEAR(share.mean, sum / 1000, 1e-12);
-  EXPECT_NEAR(share.interval.lower, sum / 1000 - half, 0.02 * half);
-  EXPECT_NEAR(share.interval.upper, sum / 1000 + half, 0.02 * half);
+  std::vector<double> shares(1000);
+  for (double& share : shares) share = 0.4 + 0.2 * uniform(random);
+  const Eigen::Map<const Eigen::ArrayXd> all(shares.data(), 1000);
+  const double mean = all.mean(), half = 1.96 * std::sqrt((all - mean).square().mean() / 1000);
+  EXPECT_THAT(mean_share(shares),
+              FieldsAre(DoubleNear(mean, 1e-12), FieldsAre(DoubleNear(mean - half, 0.02 * half),
+                                                           DoubleNear(mean + half, 0.02 * half))));
 }
 
 TEST(MeanShare, HoldsItsMeanWithin0And1AndIsAlikeForTheRest) {
@@ -85,32 +80,28 @@ TEST(MeanShare, CountsProblemsThatAreEqualInTheirClusterOnce) {
   // Each cluster repeats one share, so that the mean varies as that of the clusters alone.
   const std::vector<double> single = {0, 0.2, 0.4, 0.5, 0.5, 0.6, 0.8, 1, 0.1, 0.9, 0.7, 0.3};
   std::vector<double> shares;
-  std::vector<std::string> clusters;
-  for (std::size_t k = 0; k < single.size(); ++k) {
-    for (int copy = 0; copy < 5; ++copy) {
-      shares.push_back(single[k]);
-      clusters.push_back(std::to_string(k));
-    }
+  std::vector<std::string> own, clusters;
+  for (const double share : single) {
+    own.push_back(std::to_string(own.size()));
+    shares.insert(shares.end(), 5, share);
+    clusters.insert(clusters.end(), 5, own.back());
   }
-  const MeanShare once = mean_share(single);
-  const MeanShare all = mean_share(shares, clusters);
-  const double width = once.interval.upper - once.interval.lower;
+  const auto width = [](const MeanShare& share) {
+    return share.interval.upper - share.interval.lower;
+  };
+  const MeanShare once = mean_share(single), all = mean_share(shares, clusters);
   const double student = 2.201 / 1.960;  // quantiles .975 of t with 11 degrees of freedom, normal
   EXPECT_NEAR(all.mean, once.mean, 1e-12);
-  EXPECT_NEAR(all.interval.upper - all.interval.lower, student * width, 0.02 * width);
-  EXPECT_LT(mean_share(shares).interval.upper - mean_share(shares).interval.lower, 0.5 * width);
+  EXPECT_NEAR(width(all), student * width(once), 0.02 * width(once));
+  EXPECT_LT(width(mean_share(shares)), 0.5 * width(once));
   EXPECT_NEAR(effective_problems({shares}, clusters), 60 * 11.0 / 59, 1e-9);
-  std::vector<std::string> own;
-  for (std::size_t k = 0; k < single.size(); ++k) own.push_back(std::to_string(k));
   EXPECT_EQ(effective_problems({single}, own), 12) << "each is alone in its cluster";
 }
 
 TEST(Quantile, InterpolatesBetweenNeighboursWithInfiniteValuesLast) {
-  const std::vector<double> sample = {4, 1, 3, 2};
-  EXPECT_DOUBLE_EQ(quantile(sample, 0.0), 1.0);
-  EXPECT_DOUBLE_EQ(quantile(sample, 0.25), 1.75);
-  EXPECT_DOUBLE_EQ(quantile(sample, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile(sample, 1.0), 4.0);
+  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+    EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, share), 1 + 3 * share);
+  }
   EXPECT_EQ(quantile({1, infinity, 2}, 0.5), 2.0);
   EXPECT_EQ(quantile({1, infinity, infinity}, 0.5), infinity);
   EXPECT_EQ(quantile({infinity, infinity}, 0.3), infinity);
@@ -120,16 +111,15 @@ TEST(Bootstrap, OfARootMeanSquareHasTheQuantilesOfAllResamples) {
   // Of two errors 0 and 1 a sample has none, one or two of the second: 1/4, 1/2, 1/4.
   const std::vector<std::vector<double>> errors = {{0}, {-1}};
   EXPECT_DOUBLE_EQ(root_mean_square({3, -4}), std::sqrt(12.5));
-  const auto ends = [](const std::vector<std::vector<double>>& groups, double confidence) {
-    const Interval interval = root_mean_square_interval(groups, confidence, 10000, 1);
-    return std::vector{interval.lower, interval.upper};
+  const auto interval = [](const std::vector<std::vector<double>>& groups, double confidence) {
+    return root_mean_square_interval(groups, confidence, 10000, 1);
   };
   const auto half = testing::DoubleEq(std::sqrt(0.5));
-  EXPECT_THAT(ends(errors, 0.4), testing::ElementsAre(half, half));
-  EXPECT_THAT(ends(errors, 0.95), testing::ElementsAre(0, 1));
+  EXPECT_THAT(interval(errors, 0.4), FieldsAre(half, half));
+  EXPECT_THAT(interval(errors, 0.95), FieldsAre(0, 1));
   // Errors of a group come together: a quarter of the samples has only the first group.
-  EXPECT_DOUBLE_EQ(ends({{0, 0}, {2, 2}}, 0.4)[0], std::sqrt(2));
-  EXPECT_DOUBLE_EQ(ends({{0, 0, 0}, {2}}, 0.4)[0], 1);
+  EXPECT_DOUBLE_EQ(interval({{0, 0}, {2, 2}}, 0.4).lower, std::sqrt(2));
+  EXPECT_DOUBLE_EQ(interval({{0, 0, 0}, {2}}, 0.4).lower, 1);
 }
 
 TEST(Intervals, RefuseWhatDoesNotFit) {

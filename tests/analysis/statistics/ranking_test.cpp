@@ -7,15 +7,9 @@
 namespace ricochet {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-
-TEST(Ranks, AreSharedByEqualValues) {
+TEST(Ranking, IsByTheValueAndThenByTheCost) {
   EXPECT_THAT(ranks_of({3, 1, 3, infinity, 3, infinity}), ElementsAre(3, 1, 3, 5.5, 3, 5.5));
   EXPECT_THAT(ranks_of({}), IsEmpty());
-}
-
-TEST(Ranking, IsByTheValueAndThenByTheCost) {
   EXPECT_THAT(ranking_of({Reached{7, 50}, Reached{6, 900}, Reached{7, 40}, Reached{8, 1}}),
               ElementsAre(ElementsAre(1), ElementsAre(2), ElementsAre(0), ElementsAre(3)));
   // Ties stay together, and who did not take part is left out.
@@ -23,17 +17,6 @@ TEST(Ranking, IsByTheValueAndThenByTheCost) {
   EXPECT_THAT(ranking_of({nothing, Reached{7, 40}, std::nullopt, Reached{7, 40}, nothing}),
               ElementsAre(ElementsAre(1, 3), ElementsAre(0, 4)));
   EXPECT_THAT(ranking_of({std::nullopt}), IsEmpty());
-}
-
-TEST(RankCorrelation, OfKendallIsWhatThePairsByHandGive) {
-  EXPECT_EQ(kendall_rank_correlation({1, 2, 3, 10}, {0.1, 0.2, 5, 6}), 1.0);
-  EXPECT_EQ(kendall_rank_correlation({1, 2, 3, 10}, {6, 5, 0.2, 0.1}), -1.0);
-  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 3, 4}, {1, 3, 2, 4}), (5.0 - 1) / 6);
-  // Five pairs of six are untied in the first, all in the second.
-  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 2, 4}, {1, 2, 3, 4}), 5 / std::sqrt(5.0 * 6));
-  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 3, 4}, {1, 2, 2, 4}), 5 / std::sqrt(6 * 5.0));
-  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 2, 4}, {1, 2, 2, 4}), 1);
-  EXPECT_FALSE(kendall_rank_correlation({1, 1, 1}, {1, 2, 3}));
 }
 
 /// Kendall's tau-b by its definition, or nothing.
@@ -51,11 +34,9 @@ std::optional<double> tau(const std::vector<double>& a, const std::vector<double
   return difference / std::sqrt(unlike_a * unlike_b);
 }
 
-TEST(RankCorrelation, OfKendallHasTheIntervalOfAllSamplesOfClusters) {
-  const std::vector<double> a = {1, 2, 3, 4, 5, 6, 7, 8};
-  const std::vector<double> b = {2, 1, 5, 4, 4, 8, 6, 7};
+TEST(RankCorrelation, OfKendallIsThatOfAllPairsWithTheIntervalOfAllSamplesOfClusters) {
+  const std::vector<double> a = {1, 2, 3, 4, 5, 6, 7, 8}, b = {2, 1, 5, 4, 4, 8, 6, 7};
   const std::vector<std::string> clusters = {"p", "q", "q", "r", "s", "s", "t", "p"};
-  EXPECT_EQ(kendall_rank_correlation(a, b), tau(a, b));
   std::vector<double> all;
   for (int code = 0; code < 3125; ++code) {  // five clusters drawn from five
     std::vector<double> drawn_a, drawn_b;
@@ -66,44 +47,36 @@ TEST(RankCorrelation, OfKendallHasTheIntervalOfAllSamplesOfClusters) {
         drawn_b.push_back(b[i]);
       }
     }
-    if (const auto one = tau(drawn_a, drawn_b)) all.push_back(*one);
+    const auto one = tau(drawn_a, drawn_b), told = kendall_rank_correlation(drawn_a, drawn_b);
+    ASSERT_EQ(told.has_value(), one.has_value());
+    if (!one) continue;
+    EXPECT_NEAR(*told, *one, 1e-12);
+    all.push_back(*one);
   }
-  std::sort(all.begin(), all.end());
-  const auto at = [&](double q) {
-    return all[static_cast<std::size_t>(q * static_cast<double>(all.size()))];
-  };
   const auto interval = kendall_interval(a, b, clusters, 1, 0.9, 20000);
   ASSERT_TRUE(interval);
-  EXPECT_NEAR(interval->lower, at(0.05), 0.02);
-  EXPECT_NEAR(interval->upper, at(0.95), 0.02);
+  EXPECT_NEAR(interval->lower, quantile(all, 0.05), 0.02);
+  EXPECT_NEAR(interval->upper, quantile(all, 0.95), 0.02);
   EXPECT_LT(interval->lower, interval->upper);
-}
-
-TEST(RankCorrelation, OfKendallHasNoIntervalForFewClusters) {
   const std::vector<double> rising = {1, 2, 3, 4, 5};
   EXPECT_EQ(kendall_interval(rising, rising, {"a", "b", "c", "d", "e"}, 1)->lower, 1);
-  EXPECT_FALSE(kendall_interval(rising, rising, {"a", "b", "c", "d", "a"}, 1));
+  EXPECT_FALSE(kendall_interval(rising, rising, {"a", "b", "c", "d", "a"}, 1)) << "few clusters";
   EXPECT_FALSE(kendall_interval({1, 1, 1, 1, 1}, rising, {"a", "b", "c", "d", "e"}, 1));
 }
 
 TEST(RivalsAhead, AreCountedPairByPair) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    constexpr std::size_t size = 7;
-    std::vector<std::optional<Reached>> reached(size);
-    for (std::size_t e = 0; e < size; ++e) {
-      const double value = static_cast<int>(4 * uniform(random));  // often tied
-      if (e != 3) reached[e] = Reached{value, 1};
-    }
+    std::vector<std::optional<Reached>> reached(7);
+    for (auto& own : reached) own = Reached{std::floor(4 * uniform(random)), 1};  // often tied
+    reached[3].reset();
     const RivalsAhead ahead = rivals_ahead({ranking_of(reached)});
-    ASSERT_EQ(ahead.entries, (std::vector<std::size_t>{0, 1, 2, 4, 5, 6}));
-    for (std::size_t k = 0; k < ahead.entries.size(); ++k) {
+    ASSERT_THAT(ahead.entries, ElementsAre(0, 1, 2, 4, 5, 6));
+    for (std::size_t k = 0; k < 6; ++k) {
       const double mine = reached[ahead.entries[k]]->value;
-      double before = 0;
-      for (const std::size_t other : ahead.entries) {
-        if (other == ahead.entries[k]) continue;
-        const double its = reached[other]->value;
-        before += its < mine ? 1 : its == mine ? 0.5 : 0;
+      double before = -0.5;  // it is tied with itself
+      for (const auto& other : reached) {
+        if (other) before += other->value < mine ? 1 : other->value == mine ? 0.5 : 0;
       }
       EXPECT_DOUBLE_EQ(ahead.of_instance[0][k], before / 5);
     }
@@ -118,13 +91,10 @@ TEST(RivalsAhead, HaveAMeanOverInstancesThenOverProblems) {
   EXPECT_NEAR(*means[1], (2.0 / 3 + 0.5) / 2, 1e-12);
   EXPECT_EQ(means[2], 0.0);
   EXPECT_FALSE(means[3]);
-  EXPECT_EQ(first_of(means), (std::vector<std::size_t>{2}));
-  EXPECT_EQ(first_of({std::nullopt, 0.5, 0.25, 0.25}), (std::vector<std::size_t>{2, 3}));
-  EXPECT_TRUE(first_of({std::nullopt}).empty());
-}
-
-TEST(RivalsAhead, AreNobodysIfOneEntryIsAlone) {
-  EXPECT_TRUE(rivals_ahead({{{5}}}).entries.empty());
+  EXPECT_THAT(first_of(means), ElementsAre(2));
+  EXPECT_THAT(first_of({std::nullopt, 0.5, 0.25, 0.25}), ElementsAre(2, 3));
+  EXPECT_THAT(first_of({std::nullopt}), IsEmpty());
+  EXPECT_TRUE(rivals_ahead({{{5}}}).entries.empty()) << "it is alone";
   EXPECT_TRUE(rivals_ahead({{}}).of_instance.empty());
 }
 
@@ -140,13 +110,11 @@ TEST(Ranking, RefusesWhatDoesNotFit) {
                std::invalid_argument);
 }
 
-/// Entry 2 takes the first problem only.
-std::vector<RivalsAhead> two_problems() {
-  return {rivals_ahead({{{0}, {2}, {1}}, {{1}, {2}, {0}}}), rivals_ahead({{{1}, {0}}, {{0, 1}}})};
-}
-
-/// All equally likely samples of two problems, with two instances of each, one after the other.
-std::vector<double> enumerated(const std::vector<RivalsAhead>& problems) {
+TEST(ProbabilityOfBeingFirst, IsThatOfAllSamplesOfProblemsAndInstances) {
+  // Entry 2 takes the first problem only.
+  const std::vector<RivalsAhead> problems = {rivals_ahead({{{0}, {2}, {1}}, {{1}, {2}, {0}}}),
+                                             rivals_ahead({{{1}, {0}}, {{0, 1}}})};
+  // All equally likely draws of a problem and of two of its instances, one after the other.
   std::vector<RivalsAhead> draws;
   for (const RivalsAhead& problem : problems) {
     for (const std::vector<double>& one : problem.of_instance) {
@@ -155,27 +123,18 @@ std::vector<double> enumerated(const std::vector<RivalsAhead>& problems) {
       }
     }
   }
-  std::vector<double> shares(3);
+  std::vector<double> exact(3);
   for (const RivalsAhead& a : draws) {
     for (const RivalsAhead& b : draws) {
       const std::vector<std::size_t> first = first_of(mean_rivals_ahead({a, b}, 3));
-      for (const std::size_t e : first) shares[e] += 1 / static_cast<double>(first.size()) / 64;
+      for (const std::size_t e : first) exact[e] += 1 / static_cast<double>(first.size()) / 64;
     }
   }
-  return shares;
-}
-
-TEST(ProbabilityOfBeingFirst, IsThatOfAllSamplesOfProblemsAndInstances) {
-  const auto problems = two_problems();
-  const auto exact = enumerated(problems);
+  const auto near = [](double share) { return testing::DoubleNear(share, 0.01); };
   const auto drawn = probabilities_of_being_first(problems, 3, 1, 40000);
-  double sum = 0;
-  for (std::size_t e = 0; e < 3; ++e) {
-    EXPECT_NEAR(drawn[e], exact[e], 0.01) << e;
-    EXPECT_GT(exact[e], 0.05) << e;
-    sum += drawn[e];
-  }
-  EXPECT_NEAR(sum, 1, 1e-9);
+  EXPECT_THAT(drawn, ElementsAre(near(exact[0]), near(exact[1]), near(exact[2])));
+  EXPECT_NEAR(drawn[0] + drawn[1] + drawn[2], 1, 1e-9);
+  EXPECT_THAT(exact, Each(testing::Gt(0.05)));
   EXPECT_EQ(probabilities_of_being_first(problems, 3, 1, 40000), drawn);
   EXPECT_NE(probabilities_of_being_first(problems, 3, 2, 40000), drawn) << "another seed";
 }
@@ -216,13 +175,6 @@ std::vector<RivalsAhead> noisy_problems(std::size_t number, double noise) {
   return problems;
 }
 
-std::vector<RivalsAhead> chosen(const std::vector<RivalsAhead>& problems,
-                                const std::vector<std::size_t>& places) {
-  std::vector<RivalsAhead> some;
-  for (const std::size_t q : places) some.push_back(problems[q]);
-  return some;
-}
-
 TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
   for (const std::size_t number : {4U, 5U, 6U}) {
     const auto problems = noisy_problems(number, 2.5);
@@ -230,24 +182,25 @@ TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
     double sum = 0, stays = 0, splits = 0;
     // Each problem is in the first half (0), in the second (1) or left out (2).
     for (int code = 0; code < std::pow(3, number); ++code) {
-      std::vector<std::vector<std::size_t>> parts(3);
-      for (std::size_t q = 0, rest = static_cast<std::size_t>(code); q < number; ++q, rest /= 3) {
-        parts[rest % 3].push_back(q);
+      std::vector<std::vector<RivalsAhead>> parts(3);
+      int rest = code;
+      for (const RivalsAhead& problem : problems) {
+        parts[static_cast<std::size_t>(rest % 3)].push_back(problem);
+        rest /= 3;
       }
       if (parts[0].size() != half || parts[1].size() != half) continue;
-      std::vector<std::vector<double>> means;
-      std::vector<std::set<std::size_t>> firsts;
-      for (int half_of : {0, 1}) {
-        const auto own = mean_rivals_ahead(chosen(problems, parts[half_of]), noisy_entries);
-        means.emplace_back();
-        for (const auto& mean : own) means.back().push_back(*mean);
-        const auto first = first_of(own);
-        firsts.emplace_back(first.begin(), first.end());
+      std::array<std::vector<double>, 2> means;
+      std::array<std::vector<std::size_t>, 2> firsts;
+      for (const std::size_t part : {0U, 1U}) {
+        const auto own = mean_rivals_ahead(parts[part], noisy_entries);
+        for (const auto& mean : own) means[part].push_back(*mean);
+        firsts[part] = first_of(own);
       }
       sum += *tau(means[0], means[1]);
-      double same = 0;
-      for (const std::size_t e : firsts[0]) same += firsts[1].contains(e) ? 1 : 0;
-      stays += same / static_cast<double>(firsts[0].size() * firsts[1].size());
+      std::vector<std::size_t> both;
+      std::ranges::set_intersection(firsts[0], firsts[1], std::back_inserter(both));
+      stays += static_cast<double>(both.size()) /
+               static_cast<double>(firsts[0].size() * firsts[1].size());
       ++splits;
     }
     const auto order = held_out_order(problems, noisy_entries, 1, 20000);
@@ -261,26 +214,26 @@ TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
 
 TEST(HeldOutOrder, HoldsClustersOutWhole) {
   // Both problems of a cluster agree, and clusters disagree: halves of problems would share them.
-  std::vector<RivalsAhead> problems;
-  for (const RivalsAhead& problem : noisy_problems(8, 3)) {
-    for (int copy = 0; copy < 2; ++copy) {
-      problems.push_back(problem);
-      problems.back().cluster = std::to_string(problems.size() / 2 + problems.size() % 2);
-    }
+  const auto correlation = [](const std::vector<RivalsAhead>& problems) {
+    return held_out_order(problems, noisy_entries, 1, 4000)->correlation;
+  };
+  const std::vector<RivalsAhead> single = noisy_problems(8, 3);
+  std::vector<RivalsAhead> twice;
+  for (RivalsAhead problem : single) {
+    problem.cluster = std::to_string(twice.size());
+    twice.insert(twice.end(), 2, problem);
   }
-  const auto whole = held_out_order(problems, noisy_entries, 1, 4000);
-  EXPECT_NEAR(whole->correlation,
-              held_out_order(noisy_problems(8, 3), noisy_entries, 1, 4000)->correlation, 0.02);
-  for (RivalsAhead& problem : problems) problem.cluster.clear();
-  EXPECT_GT(held_out_order(problems, noisy_entries, 1, 4000)->correlation,
-            whole->correlation + 0.05);
+  const double whole = correlation(twice);
+  EXPECT_NEAR(whole, correlation(single), 0.02);
+  for (RivalsAhead& problem : twice) problem.cluster.clear();
+  EXPECT_GT(correlation(twice), whole + 0.05);
 }
 
 TEST(HeldOutOrder, IsNothingForFewProblemsOrEntries) {
   EXPECT_FALSE(held_out_order(noisy_problems(3, 1), noisy_entries, 1));
   std::vector<RivalsAhead> two = noisy_problems(8, 1);
   for (std::size_t k = 0; k < two.size(); ++k) two[k].cluster = k < 4 ? "a" : "b";
-  EXPECT_FALSE(held_out_order(two, noisy_entries, 1));
+  EXPECT_FALSE(held_out_order(two, noisy_entries, 1)) << "two clusters";
   const std::vector<RivalsAhead> four(6, rivals_ahead({{{0}, {1}, {2}, {3}}}));
   EXPECT_FALSE(held_out_order(four, 4, 1));
   const std::vector<RivalsAhead> tied(6, rivals_ahead({{{0, 1, 2, 3, 4, 5}}}));

@@ -25,7 +25,6 @@ solvers = ["random-search", "mads", "nlopt-cobyla", "nlopt-slsqp", "nlopt-lbfgs"
 budgets = [40]
 instances = 3
 """
-INFINITE = math.inf
 SAMPLES = 4000
 checked = collections.Counter()
 
@@ -46,10 +45,6 @@ def table(file):
         return list(csv.DictReader(text))
 
 
-def number(text):
-    return float(text) if text else INFINITE
-
-
 class Run:
     def __init__(self, row, steps, best_known):
         self.charged = int(row["charged"])
@@ -57,14 +52,11 @@ class Run:
                       for s in steps if float(s["violation"]) <= 0]
         self.found = row["solved"] == "1"
         self.solved = row["returned_solved"] == "1"
-        self.gap = number(row["returned_optimality_gap"])
+        self.gap = float(row["returned_optimality_gap"] or math.inf)
         as_good = [at for at, gap in self.steps if gap <= self.gap]
-        if self.gap == INFINITE:
-            self.cost = INFINITE
-        elif self.solved:
+        self.cost = math.inf if self.gap == math.inf else as_good[0] if as_good else self.charged
+        if self.solved:
             self.cost = int(row["evaluations_to_solve"])
-        else:
-            self.cost = as_good[0] if as_good else self.charged
         self.key = (0 if self.solved else self.gap, self.cost)
 
 
@@ -106,10 +98,9 @@ def ranked_problems(cells, problems, instances):
 def probabilities(ranked, draw):
     times = collections.Counter()
     for _ in range(SAMPLES):
-        sample = [draw.choices(instances, k=len(instances)) for instances in draw.choices(ranked, k=len(ranked))]
-        first = firsts(means(sample))
-        for entry in first:
-            times[entry] += 1 / len(first) / SAMPLES
+        first = firsts(means([draw.choices(instances, k=len(instances))
+                              for instances in draw.choices(ranked, k=len(ranked))]))
+        times.update(dict.fromkeys(first, 1 / len(first) / SAMPLES))
     return times
 
 
@@ -128,9 +119,9 @@ def check_held_out(row, ranked, draw):
     close("held out: first stays", statistics.fmean(stays), row["first_stays"], 0.06)
 
 
-def wilson(successes, trials, z=statistics.NormalDist().inv_cdf(0.975)):
-    middle, half = successes + z * z / 2, z * math.sqrt(successes * (trials - successes) / trials + z * z / 4)
-    return (middle - half) / (trials + z * z), (middle + half) / (trials + z * z)
+def wilson_upper(successes, trials, z=statistics.NormalDist().inv_cdf(0.975)):
+    half = z * math.sqrt(successes * (trials - successes) / trials + z * z / 4)
+    return (successes + z * z / 2 + half) / (trials + z * z)
 
 
 def targets(problem, tolerance):
@@ -147,7 +138,7 @@ def check_results(page, cells):
         distinct = {(run.charged, run.gap, tuple(run.steps)): run for run in runs}.values()
         solved = sum(run.solved for run in distinct)
         close("returned: share", solved / len(distinct), row["returned"], 1e-3)
-        close("returned: upper end", wilson(solved, len(distinct))[1], row["returned_upper"], 2e-3)
+        close("returned: upper end", wilson_upper(solved, len(distinct)), row["returned_upper"], 2e-3)
         if solved == 0:
             assert row["running_time"] is None
             continue
@@ -174,9 +165,8 @@ def check_family(report, family, cells, tolerances):
         close("rating: problems", len(mine), rating["takes"], 0)
         close("rating: returned", statistics.fmean(run.solved for run in runs), rating["returned"], 1e-3)
         close("rating: best evaluated", statistics.fmean(run.found for run in runs), rating["found"], 1e-3)
-        reached = statistics.fmean(run.gap <= goal for q in mine for run in mine[q].values() for goal in goals[q]) \
-            if len({len(goals[q]) for q in mine}) == 1 else statistics.fmean(
-                statistics.fmean(run.gap <= goal for run in mine[q].values() for goal in goals[q]) for q in mine)
+        reached = statistics.fmean(
+            statistics.fmean(run.gap <= goal for run in mine[q].values() for goal in goals[q]) for q in mine)
         close("rating: targets reached", reached, rating["share"], 0.01)
         if entry not in takes:
             assert rating["rank"] is None and rating["best"] is None, entry

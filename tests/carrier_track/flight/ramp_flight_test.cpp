@@ -38,20 +38,25 @@ double acceleration(const RampForces<double>& f, double t) {
          f.disturbance.cosine * std::cos(angle) - f.disturbance.sine * std::sin(angle);
 }
 
-TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReach) {
+TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReachAlsoAfterAnAdvance) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   for_random(1, 300, [](RandomScenes& draws) {
     const RampForces<double> forces = random_ramp_forces(draws);
     const RampFlight<double> flight(0.3, -0.2, forces);
     const double t = flight.reach() * draws.within(0, 1);
-    const Motion<double> m = flight.at(t);
+    const auto push = [&](double s) { return acceleration(forces, s); };
+    const double gain = Gauss::integrate(push, 0.0, t);
+    const double way = Gauss::integrate([&](double s) { return (t - s) * push(s); }, 0.0, t);
     const double size = flight.size();
-    EXPECT_NEAR(m.acceleration, acceleration(forces, t), 1e-14 * size);
-    const double gain = Gauss::integrate([&](double s) { return acceleration(forces, s); }, 0.0, t);
-    EXPECT_NEAR(m.velocity, -0.2 + gain, 1e-15 + 1e-14 * size * t);
-    const double way =
-        Gauss::integrate([&](double s) { return (t - s) * acceleration(forces, s); }, 0.0, t);
-    EXPECT_NEAR(m.position, 0.3 - 0.2 * t + way, 2e-16 + 1e-14 * size * t * t);
+    RampFlight<double> later = flight;
+    later.advance(t / 2);
+    later.shift(1.0);
+    EXPECT_EQ(later.position, flight.at(t / 2).position + 1.0);
+    for (const auto& [motion, shift] : {std::pair(flight.at(t), 0.0), {later.at(t / 2), 1.0}}) {
+      EXPECT_NEAR(motion.acceleration, push(t), 1e-14 * size);
+      EXPECT_NEAR(motion.velocity, -0.2 + gain, 1e-15 + 1e-14 * size * t);
+      EXPECT_NEAR(motion.position, 0.3 - 0.2 * t + way + shift, 4e-16 + 1e-14 * size * t * t);
+    }
   });
 }
 
@@ -71,20 +76,6 @@ TEST(RampFlight, KnowsItsDerivativesAndBounds) {
     EXPECT_LE(std::abs(flight.jerk()), start.jerk_bound() * (1 + 1e-12));
     EXPECT_LE(std::abs(flight.snap()), start.bounds(reach).snap * (1 + 1e-12));
   });
-}
-
-TEST(RampFlight, GoesOnAfterAnAdvanceAsBefore) {
-  RandomScenes draws(3);
-  for (int i = 0; i < 100; ++i) {
-    const RampFlight<double> flight(0.3, -0.2, random_ramp_forces(draws));
-    const double t = 0.4 * flight.reach();
-    RampFlight<double> later = flight;
-    later.advance(t);
-    later.shift(1.0);
-    EXPECT_EQ(later.position, flight.at(t).position + 1.0);
-    EXPECT_NEAR(later.at(t).position, flight.at(2 * t).position + 1.0, 4e-16);
-    EXPECT_NEAR(later.at(t).velocity, flight.at(2 * t).velocity, 1e-15);
-  }
 }
 
 /// A number with derivatives of every order, or with none.
@@ -182,46 +173,40 @@ TYPED_TEST(TangentFlightOf, SlidesAlongItsMotion) {
   }
 }
 
-/// Scenes whose paths do not make much of a change in the last digit.
-bool is_tame(const Scene& scene, const Recording& recording) {
-  const Recording other = record(with(scene, set::mass(scene.mass * (1 + 1e-13))), 0.25, 0);
-  return other.impacts.size() == recording.impacts.size() &&
-         std::abs(other.end.position - recording.end.position) < 1e-11;
-}
-
-/// Expects of tame random scenes the same motion under both profiles, which are made for a scene.
-/// Returns how many those are.
-template <class Profile, class OtherProfile>
-int expect_same_motion(int seed, int trials, const Profile& one, const OtherProfile& other) {
-  RandomScenes draws(static_cast<std::uint64_t>(seed));
+/// Expects the same motion under a profile of some knots, made for a speed, as under more of them,
+/// in random scenes whose paths do not make much of a change in the last digit. Returns how many
+/// those are.
+template <class Profile, class MoreKnots>
+int expect_same_motion(std::uint64_t seed, int trials, bool planar, const Profile& profile,
+                       const MoreKnots& more_knots) {
   int compared = 0;
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE(i);
-    Scene scene = draws.next();
+  for_random(seed, trials, [&](RandomScenes& draws) {
+    Scene scene = planar ? draws.next_planar() : draws.next();
     const double omega = scene.omega;
-    scene.profile = one(omega);
+    scene.profile = profile(omega);
     const Recording expected = record(scene, 0.25, 0);
-    if (!is_tame(scene, expected)) continue;
-    scene.profile = other(omega, draws);
+    const Recording near = record(with(scene, set::mass(scene.mass * (1 + 1e-13))), 0.25, 0);
+    if (near.impacts.size() != expected.impacts.size()) return;
+    if (!(std::abs(near.end.position - expected.end.position) < 1e-11)) return;
+    scene.profile = more_knots(omega, draws);
     const Recording actual = record(scene, 0.25, 0);
     expect_hits(actual.impacts, expected.impacts, 1e-9, 1e-9);
-    EXPECT_NEAR(actual.end.position, expected.end.position, 1e-9);
-    EXPECT_NEAR(actual.end.time, expected.end.time, 1e-14 * expected.end.time);
-    if (testing::Test::HasFailure()) break;
+    ASSERT_NEAR(actual.end.position, expected.end.position, 1e-9);
+    ASSERT_NEAR(actual.end.time, expected.end.time, 1e-14 * expected.end.time);
     ++compared;
-  }
+  });
   return compared;
 }
 
 using Knots = std::vector<SpeedKnot<double>>;
 
 TEST(ProfileForces, OfOneKnotAreThoseOfAConstantSpeed) {
+  const auto no_knots = [](double) { return Knots(); };
   const auto one_knot = [](double omega, auto& draws) {
     return Knots{{draws.within(0, 1), omega}};
   };
-  EXPECT_GT(expect_same_motion(
-                1, 300, [](double) { return Knots(); }, one_knot),
-            200);
+  EXPECT_GT(expect_same_motion(1, 300, false, no_knots, one_knot), 200);
+  EXPECT_GT(expect_same_motion(9, 200, true, no_knots, one_knot), 130);
 }
 
 TEST(ProfileForces, DoNotMindAKnotWithinALeg) {
@@ -229,7 +214,7 @@ TEST(ProfileForces, DoNotMindAKnotWithinALeg) {
   const auto parts = [](double omega, auto& /*draws*/) {
     return Knots{{0.0, omega}, {0.2, 1.25 * omega}, {0.3, 1.375 * omega}, {0.8, 2 * omega}};
   };
-  EXPECT_GT(expect_same_motion(2, 200, leg, parts), 150);
+  EXPECT_GT(expect_same_motion(2, 200, false, leg, parts), 150);
 }
 
 TEST(ProfileForces, ASpinUpWithoutOtherForcesActsThroughTheSlidersAlone) {
@@ -243,31 +228,6 @@ TEST(ProfileForces, ASpinUpWithoutOtherForcesActsThroughTheSlidersAlone) {
   const double expected = 0.5 + 0.02 * 2.1 + share * (std::cos(alpha) - std::cos(0.7)) +
                           share * std::sin(0.7) * 1.0 * 2.1;
   EXPECT_NEAR(record(scene, 0.25, 0).end.position, expected, 1e-13);
-}
-
-TEST(ProfileForces, CompliantWallsConvergeToHardOnesUnderThem) {
-  const Scene scene =
-      with(Scene{}, set::mass(1.2), set::wall_upper(1e-3), set::restitution(0.4),
-           set::friction(0.1), set::normal_force(1.0), set::pull(0.5),
-           set::centrifugal_mass_radius(0.1), set::slider_mass_radius(0.02),
-           set::start_position(0.5e-3), set::profile(Knots{{0.0, 2.0}, {0.7, 8.0}, {1.0, 5.0}}),
-           set::seconds(1.5), set::contact_law(ContactLaw::exact_restitution));
-  const auto hard = record(scene, 0.25, 0).impacts;
-  ASSERT_GT(hard.size(), 8U);
-  double before = 1;
-  for (const double stiffness : {1e14, 1e18, 1e22}) {
-    const auto soft =
-        record(with(scene, set::fidelity(Fidelity::compliant), set::stiffness(stiffness)), 0.25, 0)
-            .impacts;
-    double error = 0;
-    for (std::size_t k = 0; k < 6; ++k) {
-      ASSERT_EQ(soft[k].wall, hard[k].wall);
-      error = std::max(error, std::abs(soft[k].time - hard[k].time));
-    }
-    EXPECT_LT(error, 0.1 * before) << stiffness;  // K^-0.4 is a factor of 40
-    before = error;
-  }
-  EXPECT_LT(before, 1e-6);
 }
 
 }  // namespace

@@ -9,27 +9,25 @@ namespace ricochet::carrier_track {
 /// step that is this share of the box.
 inline void expect_derivatives_of_values(const Problem& problem, const Vector& x, double share,
                                          double tolerance) {
+  const auto all = [](const Values& values) {
+    Vector objective_and_constraints(1 + values.constraints.size());
+    objective_and_constraints << values.objective, values.constraints;
+    return objective_and_constraints;
+  };
   const Derivatives d = problem.differentiate(x);
-  const Values here = problem.evaluate(x);
-  EXPECT_NEAR(d.values.objective, here.objective, 1e-9) << problem.name;
+  EXPECT_LT((all(d.values) - all(problem.evaluate(x))).norm(), 1e-9) << problem.name;
   ASSERT_EQ(d.jacobian.rows(), problem.constraints);
   ASSERT_EQ(d.jacobian.cols(), x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const double h = share * (problem.upper[i] - problem.lower[i]);
-    Vector up = x;
-    Vector down = x;
-    up[i] += h;
-    down[i] -= h;
-    const Values above = problem.evaluate(up);
-    const Values below = problem.evaluate(down);
-    const double slope = (above.objective - below.objective) / (2 * h);
-    EXPECT_NEAR(d.gradient[i], slope, tolerance * (1 + std::abs(slope)))
-        << problem.name << " " << i;
-    if (problem.constraints == 0) continue;
-    EXPECT_NEAR(d.values.constraints[0], here.constraints[0], 1e-9) << problem.name;
-    const double rise = (above.constraints[0] - below.constraints[0]) / (2 * h);
-    EXPECT_NEAR(d.jacobian(0, i), rise, tolerance * (1 + std::abs(rise)))
-        << problem.name << " " << i;
+    const Vector step = h * Vector::Unit(x.size(), i);
+    const Vector slopes =
+        (all(problem.evaluate(x + step)) - all(problem.evaluate(x - step))) / (2 * h);
+    for (Eigen::Index k = 0; k < slopes.size(); ++k) {
+      EXPECT_NEAR(k == 0 ? d.gradient[i] : d.jacobian(k - 1, i), slopes[k],
+                  tolerance * (1 + std::abs(slopes[k])))
+          << problem.name << " " << k << " " << i;
+    }
   }
 }
 

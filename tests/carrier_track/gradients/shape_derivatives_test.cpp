@@ -1,12 +1,10 @@
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 
-#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/scene/scene_values.h"
 #include "problems/carrier_track/suite/profile.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
-#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -157,9 +155,7 @@ SumOfShape<SurrogateSum> random_sum(RandomScenes& draws) {
 TEST(ShapeDerivatives, AreThoseOfDualNumbers) {
   RandomScenes draws(5);
   DualAgreement agreement(1);
-  int releases = 0;
-  int slow = 0;
-  int turns = 0;
+  int releases = 0, slow = 0, turns = 0;
   for_each_case({2, 4, 16, 64}, 8, draws, [&](const auto& f, const Vector& x) {
     expect_gradient_of_duals(f, x, agreement);
     if (x.size() != 16) return;
@@ -180,9 +176,7 @@ TEST(ShapeDerivatives, AreThoseOfDualNumbers) {
 
 TEST(ShapeDerivatives, AreThoseOfDualNumbersInAnyScene) {
   DualAgreement agreement(2);
-  int peaks = 0;
-  int disturbed = 0;
-  int trial = 0;
+  int peaks = 0, disturbed = 0, trial = 0;
   for_random(6, 400, [&](RandomScenes& draws) {
     const auto f = random_sum(draws);
     peaks += f.scene.rule == CountRule::peaks;

@@ -1,67 +1,28 @@
 #include <ceres/jet.h>
 
-#include "problems/carrier_track/check/random_scenes.h"
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/scene/scene_values.h"
-#include "ricochet/machine.h"
 #include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/support/scenes.h"
-#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-/// How far the surrogate's slope is from that of differences of this step [rad/s], relative to it.
-double error_of_slope(const Scene& scene, double step) {
-  const Slope exact = surrogate_slope(scene, default_smoothing);
-  EXPECT_NEAR(exact.value, objective(scene, default_smoothing), 1e-9 * exact.value);
-  const auto value_at = [&](double omega) {
-    return objective(at_speed(scene, omega), default_smoothing);
-  };
-  return std::abs(exact.slope / difference(value_at, scene.omega, step).slope - 1);
-}
-
-TEST(Surrogate, HasTheSlopeOfDifferencesAtAThousandRandomSpeeds) {
-  RandomScenes draws(5);
-  std::vector<double> errors;
-  const auto cases = all_cases();
-  for (std::size_t i = 0; i < 1000; ++i) {
-    const double omega = draws.within(0.5, 18.0);
-    errors.push_back(error_of_slope(
-        at_speed(scene_of(cases[i % cases.size()], exploratory_scene()), omega), 1e-3 * omega));
-  }
-  EXPECT_LT(quantile(errors, 0.5), 1e-10);
-  EXPECT_LT(quantile(errors, 0.99), 1e-7);
-}
-
-TEST(Surrogate, HasTheSlopeOfDifferencesUnderTheRuleOfPeaks) {
-  RandomScenes draws(6);
-  std::vector<double> errors;
-  for (int i = 0; i < 100; ++i) {
-    const double omega = draws.within(1.0, 18.0);
-    errors.push_back(
-        error_of_slope(with(scene_of(find_case(i % 2 == 0 ? "C2" : "C9"), exploratory_scene()),
-                            set::rule(CountRule::peaks), set::peak_high(0.8e-3),
-                            set::peak_low(0.2e-3), set::seconds(0.3), set::omega(omega)),
-                       1e-5 * omega));
-  }
-  EXPECT_LT(quantile(errors, 0.5), 1e-7);
-  EXPECT_LT(quantile(errors, 0.9), 1e-5);
-}
-
+/// For other scenes and constants see derivatives_test.cpp.
 TEST(Surrogate, HasASlopeForABodyThatStartsAtRestAtAWall) {
   for (const Case& a_case : all_cases()) {
-    const Scene scene = at_speed(scene_of(a_case, exploratory_scene()), 7.0);
-    for (const double wall : {scene.wall_lower, scene.wall_upper}) {
-      EXPECT_LT(error_of_slope(with(scene, set::start(wall, 0)), 1e-3), 1e-7) << a_case.id;
+    const Scene from_case = at_speed(scene_of(a_case, exploratory_scene()), 7.0);
+    for (const double wall : {from_case.wall_lower, from_case.wall_upper}) {
+      const Scene scene = with(from_case, set::start(wall, 0));
+      const Slope exact = surrogate_slope(scene, default_smoothing);
+      expect_close(exact.value, objective(scene, default_smoothing), 1e-9);
+      const auto value_at = [&](double omega) {
+        return objective(at_speed(scene, omega), default_smoothing);
+      };
+      expect_close(exact.slope, difference(value_at, scene.omega, 1e-3).slope, 1e-7);
     }
   }
 }
@@ -109,15 +70,13 @@ Trust trust_of_throw(double velocity, Eigen::Index parts = 1) {
 }
 
 TEST(Trust, ReachesToWhereAThrowMeetsTheCeilingOrAnImpactEnds) {
-  for (const double velocity : {3.0, 3.9, 3.999}) {
-    // The distance that is missed, 1 - v^2 / 16, over its slope, in boxes of 10 m/s.
-    const double expected = (1 - velocity * velocity / 16) / (velocity / 8) / 10;
-    expect_close(trust_of_throw(velocity).reach, expected);
+  // The distance that is missed, 1 - v^2 / 16, over its slope, in boxes of 10 m/s.
+  for (const double v : {3.0, 3.9, 3.999}) {
+    expect_close(trust_of_throw(v).reach, (1 - v * v / 16) / (v / 8) / 10);
   }
-  for (const double velocity : {5.0, 4.1, 4.001}) {
-    // The square of the approach speed, v^2 - 16, over its slope.
-    const double expected = (velocity * velocity - 16) / (2 * velocity) / 10;
-    expect_close(trust_of_throw(velocity).reach, expected, 1e-9);
+  // The square of the approach speed, v^2 - 16, over its slope.
+  for (const double v : {5.0, 4.1, 4.001}) {
+    expect_close(trust_of_throw(v).reach, (v * v - 16) / (2 * v) / 10, 1e-9);
   }
 }
 
@@ -142,18 +101,16 @@ TEST(Trust, CallsAGradientSensitiveWhereItsDigitsAreLost) {
 
 TEST(Trust, IsTheSameInBlocksOfDirections) {
   // Four slopes, each that of one variable: twice as steep together.
-  const double expected = trust_of_throw(3.9).reach / 2;
-  EXPECT_NEAR(trust_of_throw<1>(3.9, 4).reach, expected, 1e-9);
-  EXPECT_NEAR(trust_of_throw<4>(3.9, 4).reach, expected, 1e-9);
-  EXPECT_NEAR(trust_of_throw<5>(3.9, 4).reach, expected, 1e-9);
+  for (const Trust& trust :
+       {trust_of_throw<1>(3.9, 4), trust_of_throw<4>(3.9, 4), trust_of_throw<5>(3.9, 4)}) {
+    EXPECT_NEAR(trust.reach, trust_of_throw(3.9).reach / 2, 1e-9);
+  }
 }
 
 TEST(Trust, ReachesToWhereTheMotionChanges) {
   RandomScenes draws(31);
   const auto cases = all_cases();
-  int short_reaches = 0;
-  int kept = 0;
-  int changed = 0;
+  int short_reaches = 0, kept = 0, changed = 0;
   for (int i = 0; i < 8000; ++i) {
     const Scene scene =
         at_speed(scene_of(cases[static_cast<std::size_t>(i) % cases.size()], exploratory_scene()),

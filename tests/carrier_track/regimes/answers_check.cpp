@@ -2,20 +2,11 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/identification/knock_record.h"
 #include "problems/carrier_track/scene/scene_check.h"
@@ -32,13 +23,10 @@
 ///
 /// Each COMMAND, of threshold, regimes, advise and identify, is called as users do, with this time
 /// limit. identify gets knocks that are simulated for a machine like the strange one, and a file
-/// that is wrong by up to 30 %. What threshold and regimes call certain is compared with long
-/// simulations at a random speed of each regime and just inside its borders: under a disturbance of
-/// 150 phases; from the machine's start, or, where that leads to another of several motions, from
-/// the one that it is on if its speed rises slowly. Prints a line for each call that is late by
-/// more than a second, silent, ended in another way than with exit code 0, 1 or 2, or wrong; a call
-/// that is late is repeated once; then for each command how many calls answered, and the longest.
-/// Exit code: 1 if there is such a line.
+/// that is wrong by up to 30 %. Regimes that are called certain are compared with long simulations.
+/// Prints a line for each call that is late by more than a second (twice), silent, ended in another
+/// way than with exit code 0, 1 or 2, or wrong, and what all calls of a command have done. Exit
+/// code: 1 if there is a line about a call.
 namespace ricochet::carrier_track {
 namespace {
 
@@ -55,50 +43,28 @@ constexpr std::size_t most_regimes = 12;        // that are compared, of one mac
 struct Call {
   int code = -1;  ///< exit code; -1: ended by a signal
   double seconds = 0;
-  double processor = 0;  ///< [s], of all its threads
   std::string output, messages;
 };
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Of all calls so far: processor time [s], and the most memory of one [MB].
-std::pair<double, double> used_by_calls() {
-  rusage used{};
-  getrusage(RUSAGE_CHILDREN, &used);
-  const auto seconds_of = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return {seconds_of(used.ru_utime) + seconds_of(used.ru_stime),
-          static_cast<double>(used.ru_maxrss) / 1024};
-}
 
 Call called(const std::string& command, const fs::path& folder) {
   const fs::path output = folder / "output", messages = folder / "messages";
   const auto start = std::chrono::steady_clock::now();
-  const double before = used_by_calls().first;
   const int status = std::system(
       fmt::format("exec {} >'{}' 2>'{}'", command, output.string(), messages.string()).c_str());
   const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lasted.count(),
-          used_by_calls().first - before, text_of(output), text_of(messages)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lasted.count(), text_of_file(output),
+          text_of_file(messages)};
 }
 
-struct Range {
-  double least, most;
-};
-
 /// The fewest and the most collisions in a turn of a disturbed machine, after so many turns.
-Range counted_at_phases(const Scene& machine, double omega, int settling) {
+std::pair<double, double> counted_at_phases(const Scene& machine, double omega, int settling) {
   Scene scene = with(at_speed(machine, omega), set::fidelity(Fidelity::impact));
   begin_turns_at_rest(scene);
   std::vector<double> phases = even_phases(150);
   for (double& phase : phases) phase += scene.disturbance_phase;
   const auto turns = observed_turns(scene, phases, settling, 8);
   const auto [least, most] = std::ranges::minmax(turns, {}, &ObservedTurn::collisions);
-  return {static_cast<double>(least.collisions), static_cast<double>(most.collisions)};
+  return {least.collisions, most.collisions};
 }
 
 /// What a machine whose motions repeat counts: as printed if it does so from its own start, or,
@@ -145,11 +111,13 @@ class Check {
     for (const auto& [command, tally] : tallies_) {
       fmt::print(
           "{}: {} answered, {} at the limit or not certain, {} refused, {} otherwise; longest "
-          "{:.2f} s (machine {}); {} late, {} silent\n",
+          "{:.2f} s (machine {})\n",
           command, tally.codes[0], tally.codes[1], tally.codes[2], tally.codes[3],
-          tally.longest.first, tally.longest.second, tally.late, tally.silent);
+          tally.longest.first, tally.longest.second);
     }
-    fmt::print("most memory of a call {:.0f} MB\n", used_by_calls().second);
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    fmt::print("most memory of a call {} MB\n", used.ru_maxrss / 1024);
     fmt::print("{} speeds compared, {} without a result in time, {} wrong; {} other faults\n",
                compared_, undecided_, wrong_, faults_);
     return wrong_ + faults_;
@@ -159,7 +127,6 @@ class Check {
   struct Tally {
     int codes[4] = {};
     std::pair<double, std::uint64_t> longest;  // [s], and the machine
-    int late = 0, silent = 0;
   };
 
   template <class... Values>
@@ -179,12 +146,8 @@ class Check {
     ++tally.codes[usual ? result.code : 3];
     tally.longest = std::max(tally.longest, {result.seconds, seed_});
     if (!usual) fault(command, "exit code {}: {}", result.code, result.messages);
-    if (result.seconds > seconds_ + late) {
-      ++tally.late;
-      fault(command, "late: {:.2f} s, {:.2f} s of processors", result.seconds, result.processor);
-    }
+    if (result.seconds > seconds_ + late) fault(command, "late: {:.2f} s", result.seconds);
     if (result.seconds > silent && result.messages.empty()) {
-      ++tally.silent;
       fault(command, "silent for {:.2f} s", result.seconds);
     }
     // A fit from a file that is wrong by so much may fail, and says so.
@@ -196,22 +159,23 @@ class Check {
     return result;
   }
 
-  /// A call about the machine that prints JSON; nothing if it has no answer.
-  std::optional<Json> answer_of(const char* command, bool may_refuse, int& code) {
-    const Call result = call(
-        command, fmt::format("{} --format json --scene '{}'", command, file_.string()), may_refuse);
-    code = result.code;
-    if (result.output.empty() || code > 1) return {};
-    return Json::parse(result.output);
+  /// What a call about the machine prints if `is_complete(answer)` says whether it is; null if it
+  /// has no answer.
+  template <class IsComplete>
+  Json answer_of(const char* command, const IsComplete& is_complete) {
+    const Call result =
+        call(command, fmt::format("{} --format json --scene '{}'", command, file_.string()),
+             !has_regimes(scene_));
+    if (result.output.empty() || result.code > 1) return {};
+    Json answer = Json::parse(result.output);
+    if (is_complete(answer) != (result.code == 0)) fault(command, "exit code {}", result.code);
+    return answer;
   }
 
   void threshold() {
-    int code = 0;
-    const auto printed = answer_of("threshold", !has_regimes(scene_), code);
-    if (!printed) return;
-    const Json& answer = *printed;
-    const bool complete = answer["complete"];
-    if (complete != (code == 0)) fault("threshold", "exit code {}", code);
+    const Json answer =
+        answer_of("threshold", [](const Json& printed) -> bool { return printed["complete"]; });
+    if (answer.is_null()) return;
     const Json& quiet = answer["fastest_quiet"];
     if (quiet.is_null() && answer["reason"].is_null()) fault("threshold", "no reason");
     if (!has_regimes(scene_)) return;
@@ -223,27 +187,24 @@ class Check {
     const auto louder = std::ranges::find_if(
         all, [](const Json& each) { return each["most_per_turn"] > quiet_per_turn; });
     const Json& loud = answer["first_loud"];
-    if (loud.is_number() != (louder != all.end()) ||
-        (loud.is_number() &&
-         std::abs(loud.get<double>() / (*louder)["from"].get<double>() - 1) > 1e-6)) {
+    const Json from = louder == all.end() ? Json() : (*louder)["from"];
+    if (loud.is_number() != from.is_number() ||
+        (loud.is_number() && std::abs(loud.get<double>() / from.get<double>() - 1) > 1e-6)) {
       fault("threshold", "first loud {}, but not by its regimes", loud.dump());
     }
     if (quiet.is_number() && loud.is_number() &&
         !(quiet < loud && quiet.get<double>() > loud.get<double>() - 0.0011)) {
       fault("threshold", "quiet up to {}, loud from {}", quiet.dump(), loud.dump());
     }
-    if (complete) first_loud_ = loud.is_number() ? loud.get<double>() : fastest;
+    if (answer["complete"]) first_loud_ = loud.is_number() ? loud.get<double>() : fastest;
   }
 
   void regimes() {
     if (!has_regimes(scene_)) return;
-    int code = 0;
-    const auto answer = answer_of("regimes", false, code);
-    if (!answer) return;
-    const bool complete = !answer->empty() && answer->back()["to"] == fastest &&
-                          answer->back()["ends_by"] != "time-limit";
-    if (complete != (code == 0)) fault("regimes", "exit code {}", code);
-    if (!first_loud_) compare("regimes", *answer);
+    const Json answer = answer_of("regimes", [](const Json& all) {
+      return !all.empty() && all.back()["to"] == fastest && all.back()["ends_by"] != "time-limit";
+    });
+    if (!answer.is_null() && !first_loud_) compare("regimes", answer);
   }
 
   void advise() {
@@ -252,7 +213,7 @@ class Check {
         call("advise", fmt::format("machine advise '{}' --out '{}'", file_.string(), page.string()),
              !has_regimes(scene_));
     if (result.code == 0 && first_loud_) {
-      const Json data = Json::parse(text_of(page / "data.json"))["values"];
+      const Json data = Json::parse(text_of_file(page / "data.json"))["values"];
       const Json& quiet = data["fastest-quiet"];
       if (quiet.is_number() && std::abs(quiet.get<double>() - *first_loud_) > 0.0011) {
         fault("advise", "quiet up to {}, but threshold {}", quiet.dump(), *first_loud_);
@@ -266,13 +227,11 @@ class Check {
     MachineDraw draw(seed_ + 9'000'000);
     Scene truth = with(scene_, set::fidelity(Fidelity::impact), set::rule(CountRule::impacts),
                        set::disturbance(0), set::centrifugal(Centrifugal::projected),
-                       set::restitution(scene_.restitution_lower));
+                       set::restitution(scene_.restitution_lower),
+                       set::friction(scene_.friction == 0 ? 0.1 : std::min(scene_.friction, 0.9)));
     if (!std::isfinite(truth.wall_upper)) truth.wall_upper = truth.start_position + 1e-3;
-    if (truth.friction == 0) truth.friction = 0.1;
-    truth.friction = std::min(truth.friction, 0.9);
     if (truth.centrifugal_mass_radius == 0) truth.centrifugal_mass_radius = 0.1;
-    const double first = draw.even(1, 5);
-    const std::vector<SpeedKnot<double>> speed = {{0, first}, {60, draw.even(first, 18)}};
+    const double first = draw.even(1, 5), last = draw.even(first, 18);
     SensorModel sensor;
     sensor.detection_limit = std::max(truth.counting_limit, 1e-3);
     sensor.strengths = draw.in(0.5);
@@ -281,38 +240,31 @@ class Check {
     KnockRecord record;
     try {
       const TimeLimit limit(to_compare);
-      record = synthetic_knocks(truth, speed, sensor, random);
+      record = synthetic_knocks(truth, {{0, first}, {60, last}}, sensor, random);
     } catch (const std::exception&) {
       return;  // too many impacts
     }
-    const auto file = [&](const char* name) {
-      return (folder_ / fmt::format("{}-{}", seed_, name)).string();
-    };
-    const std::string knocks = file("knocks.csv"), speeds = file("speed.csv");
-    const std::string guess = file("guess.toml"), marks = file("marks.csv");
-    std::string rows = sensor.strengths ? "time,strength\n" : "time\n";
+    std::string knocks = sensor.strengths ? "time,strength\n" : "time\n", marks = "time\n";
     for (const Knock& knock : record.knocks) {
-      rows += fmt::format("{:.6f}", knock.time);
-      rows += knock.strength ? fmt::format(",{:.6g}\n", *knock.strength) : "\n";
+      knocks += fmt::format("{:.6f}", knock.time);
+      knocks += knock.strength ? fmt::format(",{:.6g}\n", *knock.strength) : "\n";
     }
-    write_text_file(knocks, rows);
-    write_text_file(speeds,
-                    fmt::format("time,omega\n0,{}\n60,{}\n", speed[0].omega, speed[1].omega));
-    truth.restitution_lower = std::min(1.0, truth.restitution_lower * draw.even(0.7, 1.3));
-    truth.restitution_upper = truth.restitution_lower;
-    truth.friction *= draw.even(0.8, 1.2);
-    truth.wall_upper *= draw.even(0.7, 1.3);
-    truth.start_position = std::min(truth.start_position, truth.wall_upper);
-    write_text_file(guess, write_scene(truth));
-    std::string arguments =
-        fmt::format("identify '{}' --scene '{}' --speed '{}' --format json", knocks, guess, speeds);
+    const Scene guess = guess_near(truth, random);
+    const auto file = [&](const char* name, const std::string& text) {
+      const fs::path path = folder_ / fmt::format("{}-{}", seed_, name);
+      write_text_file(path, text);
+      return path.string();
+    };
+    std::string arguments = fmt::format(
+        "identify '{}' --scene '{}' --speed '{}' --format json", file("knocks.csv", knocks),
+        file("guess.toml",
+             write_scene(with(guess, set::restitution(std::min(1.0, guess.restitution_lower))))),
+        file("speed.csv", fmt::format("time,omega\n0,{}\n60,{}\n", first, last)));
     if (record.plate) {
-      rows = "time\n";
       for (const double time : mark_times(scene_, record, *sensor.mark_jitter, random)) {
-        rows += fmt::format("{:.6f}\n", time);
+        marks += fmt::format("{:.6f}\n", time);
       }
-      write_text_file(marks, rows);
-      arguments += fmt::format(" --marks '{}'", marks);
+      arguments += fmt::format(" --marks '{}'", file("marks.csv", marks));
     }
     const Call result = call("identify", arguments, true);  // a record may have no knocks
     if (result.output.empty() || result.code != 0) return;
@@ -348,27 +300,28 @@ class Check {
 
   void compare_at(const char* command, const Json& regime, double omega) {
     const double least = regime["least_per_turn"], most = regime["most_per_turn"];
-    const auto is_within = [&](const Range& range) {
-      return range.least >= least && range.most <= most;
+    std::pair<double, double> counted;
+    const auto agrees = [&](const std::pair<double, double>& found) {
+      counted = found;
+      return counted.first >= least && counted.second <= most;
     };
-    Range range{};
     if (is_disturbed(scene_)) {
       for (const int settling : {20, 300, 3000}) {  // elastic carriers settle slowly
-        range = counted_at_phases(scene_, omega, settling);
-        if (is_within(range)) return;
+        if (agrees(counted_at_phases(scene_, omega, settling))) return;
       }
       // Several motions may be possible: on the wall where it rests if its speed rises slowly.
       const std::vector<Regime> known = regimes_of(scene_, {slowest, omega * (1 + 1e-9)});
       const double wall = known.back().last.orbit.start_position;
-      if (is_within(counted_at_phases(with(scene_, set::start(wall, 0)), omega, 300))) return;
+      if (agrees(counted_at_phases(with(scene_, set::start(wall, 0)), omega, 300))) return;
     } else {
-      range.least = range.most = counted_in_periods(scene_, omega, regime["turns"], most);
-      if (range.most == most) return;
+      const double periodic = counted_in_periods(scene_, omega, regime["turns"], most);
+      if (periodic == most) return;
+      counted = {periodic, periodic};
     }
     ++wrong_;
     fmt::print(
         "machine {}: {}: at {:.9g} rad/s {:.6g} to {:.6g} collisions a turn, said {} to {}\n",
-        seed_, command, omega, range.least, range.most, least, most);
+        seed_, command, omega, counted.first, counted.second, least, most);
   }
 
   std::string program_;

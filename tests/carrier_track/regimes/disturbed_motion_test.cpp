@@ -34,25 +34,13 @@ TEST(DisturbedTurn, HasTheImpactsOfASimulationToTheLastRebound) {
   }
 }
 
-TEST(DisturbedTurn, IsTheSameAloneAsBesideOthers) {
-  const Scene machine = disturbed_motion(disturbed(1, 8.1)).machine;
-  const std::vector<double> phases = {0.1, 1.2, 2.3};
-  const auto together = turns_at_phases(machine, phases, 0);
-  for (std::size_t k = 0; k < phases.size(); ++k) {
-    EXPECT_EQ(together[k].margins, turns_at_phases(machine, {&phases[k], 1}, 0).front().margins);
-  }
-}
-
 TEST(ObservedTurn, HasTheNumbersOfTheOrbitWhereNothingDisturbs) {
   const SteadyMotion motion = steady_motion(at_speed(default_machine(), 7.0));
   const auto turns = observed_turns(motion.orbit, even_phases(2), 1, 3);
   ASSERT_EQ(turns.size(), 6U);
-  for (const ObservedTurn& observed : turns) {
-    EXPECT_EQ(observed.collisions, motion.collisions);
-    EXPECT_NEAR(observed.energy / motion.energy, 1, 1e-9);
-    EXPECT_NEAR(observed.share_at_rest, motion.share_at_rest, 1e-9);
-    EXPECT_NEAR(observed.fastest / motion.fastest_impact(), 1, 1e-9);
-  }
+  const auto near = [](double expected) { return testing::DoubleNear(expected, 1e-9 * expected); };
+  EXPECT_THAT(turns, Each(FieldsAre(motion.collisions, near(motion.fastest_impact()),
+                                    near(motion.energy), near(motion.share_at_rest))));
 }
 
 TEST(DisturbedMotion, CountsAsManyAsALongSimulation) {
@@ -65,32 +53,26 @@ TEST(DisturbedMotion, CountsAsManyAsALongSimulation) {
   }
 }
 
-TEST(DisturbedMotion, KnowsTheLeastAndTheMostOfAllPhases) {
-  // Between 8.06 and 8.09 rad/s the phase decides which rebounds count.
-  const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 8.0779));
-  ASSERT_TRUE(motion.settled);
-  EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 2000));
-  EXPECT_LT(motion.least, motion.most);
-  EXPECT_EQ(extreme_turn(motion, motion.most, Extreme::most).collisions, motion.most);
-  EXPECT_EQ(extreme_turn(motion, motion.least + 1, Extreme::least).collisions, motion.least);
-}
-
 TEST(DisturbedMotion, KnowsTurnsThatFewPhasesHave) {
+  const auto random_at = [](std::uint64_t seed, double omega) {
+    return at_speed(random_disturbed_machine(seed), omega);
+  };
+  int unseen = 0;  // by even phases
   // Where margins change much from phase to phase, where impacts appear and vanish between two even
   // phases, where an impact passes from one turn to the next, where slow impacts nearly graze.
-  int unseen = 0;  // by even phases
-  for (const auto& [seed, omega] : {std::pair{30, 0.870569255},
-                                    {42, 2.132245922},
-                                    {18, 0.7404758458},
-                                    {51, 0.5759682684},
-                                    {27, 7.9598},
-                                    {50, 5.2931},
-                                    {18, 0.98},
-                                    {27, 8.63544}}) {
-    const DisturbedMotion motion = disturbed_motion(
-        at_speed(random_disturbed_machine(static_cast<std::uint64_t>(seed)), omega));
+  for (const Scene& scene :
+       {random_at(30, 0.870569255), random_at(42, 2.132245922), random_at(18, 0.7404758458),
+        random_at(51, 0.5759682684), random_at(27, 7.9598), random_at(50, 5.2931),
+        random_at(18, 0.98), random_at(27, 8.63544),
+        // Between 8.06 and 8.09 rad/s the phase decides which rebounds count.
+        disturbed(1.0, 8.0779)}) {
+    SCOPED_TRACE(scene.omega);
+    const DisturbedMotion motion = disturbed_motion(scene);
     ASSERT_TRUE(motion.settled);
-    EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 4000)) << seed;
+    EXPECT_EQ(std::pair(motion.least, motion.most), extremes_of(motion, 4000));
+    EXPECT_LT(motion.least, motion.most);
+    EXPECT_EQ(extreme_turn(motion, motion.most, Extreme::most).collisions, motion.most);
+    EXPECT_EQ(extreme_turn(motion, motion.least + 1, Extreme::least).collisions, motion.least);
     unseen += std::pair(motion.least, motion.most) != extremes_of(motion, 16);
   }
   EXPECT_GT(unseen, 3);
@@ -132,15 +114,14 @@ TEST(DisturbedMotion, ForgetsItsStartAtEveryPhase) {
   const DisturbedMotion motion = disturbed_motion(at_speed(case_scene("C9"), 0.7302));
   const auto turns =
       observed_turns(motion.machine, {&motion.machine.disturbance_phase, 1}, 60, 1000);
-  const auto [least, most] = std::ranges::minmax_element(turns, {}, &ObservedTurn::collisions);
-  EXPECT_EQ(motion.least, least->collisions);
-  EXPECT_EQ(motion.most, most->collisions);
+  const auto [least, most] = std::ranges::minmax(turns, {}, &ObservedTurn::collisions);
+  EXPECT_EQ(std::pair(motion.least, motion.most), std::pair(least.collisions, most.collisions));
 }
 
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
+  const Scene machine = default_machine();
   const double held = 0.1 * 11.772 + 0.01;  // friction and pull of the machine [N]
-  const double radius =
-      default_machine().centrifugal_mass_radius - default_machine().slider_mass_radius;
+  const double radius = machine.centrifugal_mass_radius - machine.slider_mass_radius;
   const double release = std::sqrt((held - 0.5) / radius);
   EXPECT_FALSE(disturbed_motion(disturbed(0.5, release * (1 - 1e-9))).moves);
   EXPECT_TRUE(disturbed_motion(disturbed(0.5, release * (1 + 1e-9))).moves);
@@ -155,65 +136,57 @@ TEST(SampledTurns, AreThoseOfTheRegimes) {
     int compared = 0;
     const auto sampled = sampled_turns(scene, 2, 6);
     ASSERT_EQ(sampled.size(), 24U);
-    EXPECT_EQ(sampled.front().omega, 2);
-    EXPECT_EQ(sampled.back().omega, 6);
-    for (const SampledTurns& turns : sampled) {
-      const Regime& regime = regime_at(regimes, turns.omega);
+    EXPECT_EQ(std::pair(sampled.front().omega, sampled.back().omega), std::pair(2.0, 6.0));
+    for (const auto& [omega, mean, most] : sampled) {
+      const Regime& regime = regime_at(regimes, omega);
       if (!regime.certain) continue;
       ++compared;
-      EXPECT_LE(turns.most_per_turn, regime.most_per_turn) << name << ", " << turns.omega;
-      EXPECT_NEAR(turns.most_per_turn, regime.most_per_turn, 1) << name << ", " << turns.omega;
+      const double missed = regime.most_per_turn - most;
+      EXPECT_TRUE(missed >= 0 && missed <= 1) << name << ", " << omega;
     }
     EXPECT_GT(compared, 12) << name;
   }
 }
 
-DisturbedMotion motion_at(const std::string& id, double omega) {
-  return disturbed_motion(at_speed(case_scene(id), omega));
-}
-
-/// Turns at 2,000 phases around that of a tip in which the impact counts so.
-int beyond_near(const DisturbedMotion& motion, const PhaseTip& tip, double omega, int rank,
-                Extreme extreme) {
+/// Whether in a turn at one of 2,000 phases around that of a tip the impact counts so.
+bool is_beyond_near(const DisturbedMotion& motion, const PhaseTip& tip, double omega, int rank,
+                    Extreme extreme) {
   std::vector<SpeedAndPhase> places;
   for (int k = -1000; k <= 1000; ++k) places.push_back({omega, tip.phase + 2e-5 * k});
-  int count = 0;
-  for (const DisturbedTurn& turn : turns_of(motion, places)) {
-    if (is_beyond(turn, rank, extreme)) ++count;
-  }
-  return count;
+  return std::ranges::any_of(turns_of(motion, places), [&](const DisturbedTurn& turn) {
+    return is_beyond(turn, rank, extreme);
+  });
 }
 
 TEST(PhaseTip, IsTheLastSpeedAtWhichSomePhaseCountsSo) {
-  // Margins that are smooth, and some beside a jump.
-  for (const auto& [id, from, until, rank, extreme] :
-       {std::tuple{"C5", 8.0785, 8.0770, 3, Extreme::most},
-        {"C7", 2.8970, 2.8985, 1, Extreme::least},
-        {"C5", 1.4950, 1.5100, 1, Extreme::least}}) {
-    const DisturbedMotion motion = motion_at(id, from);
-    ASSERT_TRUE(has_beyond(motion, rank, extreme)) << from;
-    const PhaseTip tip = phase_tip(motion, motion_at(id, until), rank, extreme);
-    ASSERT_TRUE(tip.is_reached) << from;
-    const double outwards = until > from ? 1e-9 : -1e-9;
-    EXPECT_EQ(beyond_near(motion, tip, tip.omega * (1 + 2 * outwards), rank, extreme), 0);
-    EXPECT_GT(beyond_near(motion, tip, tip.omega * (1 - outwards), rank, extreme), 0);
+  struct Row {
+    Scene machine;
+    double from, until, reach;
+    int rank;
+    Extreme extreme;
+  };
+  for (const auto& [machine, from, until, reach, rank, extreme] :
+       {// Margins that are smooth, and some beside a jump.
+        Row{case_scene("C5"), 8.0785, 8.0770, 1e-9, 3, Extreme::most},
+        {case_scene("C7"), 2.8970, 2.8985, 1e-9, 1, Extreme::least},
+        {case_scene("C5"), 1.4950, 1.5100, 1e-9, 1, Extreme::least},
+        // From 0.36103 rad/s on, a few phases have one collision; at 0.3650 others than at 0.3611.
+        {random_disturbed_machine(2), 0.3650, 0.3600, 1e-7, 2, Extreme::least}}) {
+    SCOPED_TRACE(from);
+    const DisturbedMotion motion = disturbed_motion(at_speed(machine, from));
+    ASSERT_TRUE(has_beyond(motion, rank, extreme));
+    const auto tip_until = [&, &machine = machine, &rank = rank, &extreme = extreme](double omega) {
+      return phase_tip(motion, disturbed_motion(at_speed(machine, omega)), rank, extreme);
+    };
+    const PhaseTip tip = tip_until(until);
+    ASSERT_TRUE(tip.is_reached);
+    const double outwards = until > from ? reach : -reach;
+    EXPECT_FALSE(is_beyond_near(motion, tip, tip.omega * (1 + 2 * outwards), rank, extreme));
+    EXPECT_TRUE(is_beyond_near(motion, tip, tip.omega * (1 - outwards), rank, extreme));
+    const PhaseTip early = tip_until(0.9 * from + 0.1 * tip.omega);
+    EXPECT_FALSE(early.is_reached) << "the search ends before it";
+    EXPECT_EQ(early.omega, 0.9 * from + 0.1 * tip.omega);
   }
-  const PhaseTip early =
-      phase_tip(motion_at("C7", 2.8970), motion_at("C7", 2.8971), 1, Extreme::least);
-  EXPECT_FALSE(early.is_reached) << "the search ends before it";
-  EXPECT_EQ(early.omega, 2.8971);
-}
-
-TEST(PhaseTip, IsFollowedWhereFewPhasesCountSoAndDriftWithTheSpeed) {
-  // From 0.36103 rad/s on, a few phases have one collision; at 0.3650 others than at 0.3611.
-  const Scene machine = random_disturbed_machine(2);
-  const DisturbedMotion motion = disturbed_motion(at_speed(machine, 0.3650));
-  const DisturbedMotion other = disturbed_motion(at_speed(machine, 0.3600));
-  const PhaseTip tip = phase_tip(motion, other, 2, Extreme::least);
-  ASSERT_TRUE(tip.is_reached);
-  EXPECT_NEAR(tip.omega, 0.36103, 1e-5);
-  EXPECT_GT(beyond_near(motion, tip, tip.omega * (1 + 1e-7), 2, Extreme::least), 0);
-  EXPECT_EQ(beyond_near(motion, tip, tip.omega * (1 - 1e-7), 2, Extreme::least), 0);
 }
 
 }  // namespace

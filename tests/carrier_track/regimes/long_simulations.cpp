@@ -2,14 +2,9 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <cmath>
+#include <atomic>
 #include <exception>
-#include <mutex>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "tests/carrier_track/regimes/machines.h"
@@ -27,31 +22,19 @@ namespace {
 constexpr double slowest = 0.3, fastest = 18;  // [rad/s]
 
 /// What was looked at, and what was wrong.
-struct Tally {
-  int machines = 0, failed = 0;
-  int regimes = 0, uncertain = 0;  ///< and how many of them are not certain
-  int speeds = 0;                  ///< that were compared
-  int wrong = 0;                   ///< of these, in a certain regime
-  int wrong_uncertain = 0;         ///< in another
-  int wide = 0;                    ///< where a regime has a count that no simulation has
+std::atomic<int> machines, failed;
+std::atomic<int> regimes_found, uncertain;  // and how many of them are not certain
+std::atomic<int> speeds;                    // that were compared
+std::atomic<int> wrong, wrong_uncertain;    // of these, in a certain regime, and in another
+std::atomic<int> wide;                      // where a regime has a count that no simulation has
 
-  void add(const Tally& other) {
-    for (const auto count :
-         {&Tally::machines, &Tally::failed, &Tally::regimes, &Tally::uncertain, &Tally::speeds,
-          &Tally::wrong, &Tally::wrong_uncertain, &Tally::wide}) {
-      this->*count += other.*count;
-    }
-  }
-};
-
-std::mutex lock;  // of the tally and the output
-
-void print(const Tally& tally) {
+void print_tally() {
   fmt::print(
       "{} machines ({} failed), {} regimes ({} not certain), {} speeds: {} wrong in a certain "
       "regime, {} in others; {} wider than the simulations\n",
-      tally.machines, tally.failed, tally.regimes, tally.uncertain, tally.speeds, tally.wrong,
-      tally.wrong_uncertain, tally.wide);
+      machines.load(), failed.load(), regimes_found.load(), uncertain.load(), speeds.load(),
+      wrong.load(), wrong_uncertain.load(), wide.load());
+  std::fflush(stdout);
 }
 
 /// A machine and what is found of it.
@@ -61,50 +44,32 @@ class Check {
       : name_(std::move(name)),
         machine_(machine),
         regimes_(regimes_of(machine, {slowest, fastest})) {
-    tally_.machines = 1;
-    tally_.regimes = static_cast<int>(regimes_.size());
-    tally_.uncertain = static_cast<int>(std::ranges::count(regimes_, false, &Regime::certain));
+    regimes_found += static_cast<int>(regimes_.size());
+    uncertain += static_cast<int>(std::ranges::count(regimes_, false, &Regime::certain));
   }
-
-  const Tally& tally() const { return tally_; }
 
   /// Compares each certain regime at three speeds.
   void undisturbed(std::uint64_t seed) {
-    MachineDraw draw(seed + 7'000'000);
-    double reach = 0;  // from the border before
-    for (const Regime& regime : regimes_) {
-      const double slow = regime.from * (1 + reach);
-      reach = beside(regime);
-      const double fast = regime.to * (1 - reach);
-      if (!regime.certain || !(slow < fast)) continue;
-      for (const double omega : {slow, draw.even(slow, fast), fast}) {
-        const bool early = omega - regime.from < regime.to - omega;
-        const Scene& orbit = early ? regime.first.orbit : regime.last.orbit;
-        const auto counted_after = [&](double factor) {
-          return collisions_in_the_long_run(brought(orbit, omega, factor), omega, 300,
-                                            whole_periods(regime));
-        };
-        double counted = counted_after(1.01);
-        // Where several motions are possible, long steps may lead to another one.
-        if (counted != regime.collisions_per_turn) counted = counted_after(1.0003);
-        compare(regime, omega, counted, counted);
-      }
-    }
+    look_into_each(regimes_, seed, [&](const Regime& regime, double omega, const Scene& orbit) {
+      const auto counted_after = [&](double factor) {
+        return collisions_in_the_long_run(brought(orbit, omega, factor), omega, 300,
+                                          whole_periods(regime));
+      };
+      double counted = counted_after(1.01);
+      // Where several motions are possible, long steps may lead to another one.
+      if (counted != regime.collisions_per_turn) counted = counted_after(1.0003);
+      compare(regime, omega, counted, counted);
+    });
   }
 
   /// Compares with a speed that rises in even steps.
   void scan() {
-    Ramp ramp(machine_);
-    for (double omega = slowest; omega < fastest; omega *= 1.001) {
-      const double counted = ramp.collisions_per_turn(omega);
-      const Regime& regime = regime_at(regimes_, omega);
-      // The ramp is late by a step.
-      if (omega < regime.from * 1.002 || omega > regime.to * 0.999 || !regime.certain) continue;
-      // Its turns may not be a multiple of the period.
+    look_evenly(machine_, regimes_, [&](const Regime& regime, double omega, double counted) {
+      // The turns may not be a multiple of the period.
       const bool alike = std::abs(regime.collisions_per_turn - counted) < 0.026;
       compare(regime, omega, alike ? regime.least_per_turn : counted,
               alike ? regime.most_per_turn : counted);
-    }
+    });
   }
 
   /// Compares at borders, beside them, and in the middle between them.
@@ -139,14 +104,12 @@ class Check {
   }
 
   void compare(const Regime& regime, double omega, double least, double most) {
-    ++tally_.speeds;
-    const bool wrong = least < regime.least_per_turn || most > regime.most_per_turn;
-    if (!wrong) {
-      tally_.wide += least > regime.least_per_turn || most < regime.most_per_turn ? 1 : 0;
+    ++speeds;
+    if (least >= regime.least_per_turn && most <= regime.most_per_turn) {
+      wide += least > regime.least_per_turn || most < regime.most_per_turn ? 1 : 0;
       return;
     }
-    ++(regime.certain ? tally_.wrong : tally_.wrong_uncertain);
-    const std::scoped_lock guard(lock);
+    ++(regime.certain ? wrong : wrong_uncertain);
     fmt::print("{} at {:.9g}: {:.4g} to {:.4g} collisions a turn, said {:.4g} to {:.4g}{}\n", name_,
                omega, least, most, regime.least_per_turn, regime.most_per_turn,
                regime.certain ? "" : ", not certain");
@@ -155,7 +118,6 @@ class Check {
   std::string name_;
   Scene machine_;
   std::vector<Regime> regimes_;
-  Tally tally_;
 };
 
 int run(const std::vector<std::string>& arguments) {
@@ -165,38 +127,32 @@ int run(const std::vector<std::string>& arguments) {
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       arguments.size() > 3 ? static_cast<std::size_t>(std::stoi(arguments[3])) : 1);
-  std::vector<std::tuple<std::string, Scene, std::uint64_t>> machines;
+  std::vector<std::tuple<std::string, Scene, std::uint64_t>> all;
   for (const Case& one : all_cases()) {
     const Scene scene = case_scene(one.id);
-    if (kind == "disturbed" && first == 1 && is_disturbed(scene)) {
-      machines.emplace_back(one.id, scene, 0);
-    }
+    if (kind == "disturbed" && first == 1 && is_disturbed(scene))
+      all.emplace_back(one.id, scene, 0);
   }
   for (std::uint64_t seed = first; seed <= last; ++seed) {
-    machines.emplace_back(
-        fmt::format("machine {}", seed),
-        kind == "disturbed" ? random_disturbed_machine(seed) : random_machine(seed), seed);
+    all.emplace_back(fmt::format("machine {}", seed),
+                     kind == "disturbed" ? random_disturbed_machine(seed) : random_machine(seed),
+                     seed);
   }
-  Tally all;
-  tbb::parallel_for(std::size_t{0}, machines.size(), [&](std::size_t k) {
-    const auto& [name, machine, seed] = machines[k];
-    Tally tally{.failed = 1};
+  tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t k) {
+    const auto& [name, machine, seed] = all[k];
     try {
       Check check(name, machine);
       if (kind == "undisturbed") check.undisturbed(seed);
       if (kind == "scan") check.scan();
       if (kind == "disturbed") check.disturbed();
-      tally = check.tally();
     } catch (const std::exception& error) {
+      ++failed;
       fmt::print("{}: {}\n", name, error.what());
     }
-    const std::scoped_lock guard(lock);
-    all.add(tally);
-    if (all.machines % 100 == 0) print(all);
-    std::fflush(stdout);
+    if (++machines % 100 == 0) print_tally();
   });
-  print(all);
-  return all.wrong == 0 ? 0 : 1;
+  print_tally();
+  return wrong == 0 ? 0 : 1;
 }
 
 }  // namespace

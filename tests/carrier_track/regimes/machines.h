@@ -1,17 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/counting/count.h"
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_values.h"
-#include "ricochet/machine.h"
 #include "ricochet/random.h"
 #include "tests/support/scenes.h"
 
@@ -110,8 +104,6 @@ struct LateTurns : Observer {
   int collisions = 0;
   double energy = 0;
 
-  LateTurns(const Scene& simulated, double begin) : scene(simulated), from(begin) {}
-
   void impact(double time, Wall wall, double speed) {
     if (time < from || speed <= 0) return;
     if (is_counted(speed, scene.counting_limit)) ++collisions;
@@ -128,7 +120,7 @@ struct InTheLongRun {
 inline InTheLongRun simulated_turns(Scene scene, double omega, int turns, int observed) {
   scene = at_speed(scene, omega);
   scene.window = Revolutions{static_cast<double>(turns)};
-  LateTurns late(scene, duration_of(scene) * (turns - observed) / turns);
+  LateTurns late{{}, scene, duration_of(scene) * (turns - observed) / turns};
   const End<double> end = ImpactModel<double>(scene).run(late);
   return {static_cast<double>(late.collisions) / observed, late.energy / observed, end};
 }
@@ -136,11 +128,6 @@ inline InTheLongRun simulated_turns(Scene scene, double omega, int turns, int ob
 inline double collisions_in_the_long_run(const Scene& scene, double omega, int turns,
                                          int observed) {
   return simulated_turns(scene, omega, turns, observed).collisions;
-}
-
-/// How near a border [relative] a simulation is: beside irregular motion it is known to 1e-5 only.
-inline double beside(const Regime& regime) {
-  return regime.ends_by == RegimeEnd::irregular ? 2e-5 : 1e-6;
 }
 
 /// Turns that are a multiple of every period up to 8.
@@ -167,21 +154,38 @@ inline Scene brought(Scene scene, double omega, double factor = 1.01) {
   return scene;
 }
 
-/// A machine whose speed rises in small steps, and what it counts at each.
-class Ramp {
- public:
-  explicit Ramp(const Scene& machine) : machine_(machine) {}
-
-  double collisions_per_turn(double omega) {
-    const InTheLongRun turns = simulated_turns(machine_, omega, 80, 40);
-    machine_.start_position = turns.end.position;
-    machine_.start_velocity = turns.end.velocity;
-    return turns.collisions;
+/// Calls look(regime, omega, collisions) in the certain regimes of a machine whose speed rises in
+/// steps of 0.1 %, with what it counts in a turn; but not next to the borders: it is late by a
+/// step.
+template <class Look>
+void look_evenly(Scene machine, const std::vector<Regime>& regimes, const Look& look) {
+  for (double omega = regimes.front().from; omega < regimes.back().to; omega *= 1.001) {
+    const InTheLongRun turns = simulated_turns(machine, omega, 80, 40);
+    machine = with(machine, set::start(turns.end.position, turns.end.velocity));
+    const Regime& regime = regime_at(regimes, omega);
+    if (omega < regime.from * 1.002 || omega > regime.to * 0.999 || !regime.certain) continue;
+    look(regime, omega, turns.collisions);
   }
+}
 
- private:
-  Scene machine_;
-};
+/// Calls look(regime, omega, orbit) in each certain regime at a random speed and just inside both
+/// borders, with the motion at the nearer one.
+template <class Look>
+void look_into_each(const std::vector<Regime>& regimes, std::uint64_t seed, const Look& look) {
+  MachineDraw draw(seed + 7'000'000);
+  double reach = 0;  // from the border before
+  for (const Regime& regime : regimes) {
+    const double slow = regime.from * (1 + reach);
+    // Beside irregular motion a border is known to 1e-5 only.
+    reach = regime.ends_by == RegimeEnd::irregular ? 2e-5 : 1e-6;
+    const double fast = regime.to * (1 - reach);
+    if (!regime.certain || !(slow < fast)) continue;
+    for (const double omega : {slow, draw.even(slow, fast), fast}) {
+      const bool early = omega - regime.from < regime.to - omega;
+      look(regime, omega, early ? regime.first.orbit : regime.last.orbit);
+    }
+  }
+}
 
 /// Even phases of a turn, from 0.
 inline std::vector<double> even_phases(int count) {

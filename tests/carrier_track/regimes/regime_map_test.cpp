@@ -11,16 +11,12 @@
 namespace ricochet::carrier_track {
 namespace {
 
-using testing::HasSubstr;
-
-/// Columns of a map that are compared with the regimes of their machines: cells, and those of them
-/// that differ though no border is as near as half a cell, and the motion is certain.
-struct Compared {
+/// Compares every so-manieth column of a map with the regimes of its machine; returns the number of
+/// cells, and of those that differ though no border is as near as half a cell, and the motion is
+/// certain.
+std::pair<int, int> compared_with_regimes(const Scene& machine, const RegimeMap& map,
+                                          std::size_t every) {
   int cells = 0, wrong = 0;
-};
-
-Compared compared_with_regimes(const Scene& machine, const RegimeMap& map, std::size_t every) {
-  Compared result;
   const auto& [over, values, against] = map.options;
   const double half = (map.heights[1] - map.heights[0]) / 2;
   for (std::size_t i = 0; i < map.columns.size(); i += every) {
@@ -32,11 +28,11 @@ Compared compared_with_regimes(const Scene& machine, const RegimeMap& map, std::
       const Regime& regime = regime_at(regimes, speed);
       if (!regime.certain || speed - half < regime.from || speed + half > regime.to) continue;
       const std::optional<double> cell = map.columns[i].cells[k];
-      ++result.cells;
-      if (!cell || std::abs(*cell - regime.most_per_turn) > 1e-9) ++result.wrong;
+      ++cells;
+      if (!cell || std::abs(*cell - regime.most_per_turn) > 1e-9) ++wrong;
     }
   }
-  return result;
+  return {cells, wrong};
 }
 
 RegimeMapOptions over_restitution() {
@@ -50,9 +46,7 @@ const RegimeMap& map_of_c1() {
 
 TEST(RegimeMap, HasTheRegimesAndBordersOfItsMachines) {
   const RegimeMap& map = map_of_c1();
-  const Compared c1 = compared_with_regimes(case_scene("C1"), map, 3);
-  EXPECT_GT(c1.cells, 1000);
-  EXPECT_EQ(c1.wrong, 0);
+  EXPECT_THAT(compared_with_regimes(case_scene("C1"), map, 3), FieldsAre(testing::Gt(1000), 0));
   EXPECT_TRUE(map.followed);
   EXPECT_EQ(map.own, 0.1);
   const std::vector<Regime> regimes = regimes_of(case_scene("C1"), {0.5, 12});
@@ -61,19 +55,19 @@ TEST(RegimeMap, HasTheRegimesAndBordersOfItsMachines) {
 }
 
 TEST(RegimeMap, HasTheRegimesOfMachinesOfAnyKind) {
-  Compared all;
-  for (const int seed : {1, 5, 7, 10, 15}) {
-    const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
+  int all = 0, all_wrong = 0;
+  for (const std::uint64_t seed : {1U, 5U, 7U, 10U, 15U}) {
+    const Scene machine = random_machine(seed);
     const double limit = machine.counting_limit;
     const RegimeMap map =
         regime_map(machine, {{"counting_limit", 0.5 * limit, 2 * limit}, 3, {"omega", 0.5, 6}});
     const auto [cells, wrong] = compared_with_regimes(machine, map, 1);
-    all.cells += cells;
-    all.wrong += wrong;
+    all += cells;
+    all_wrong += wrong;
   }
-  EXPECT_GT(all.cells, 1000);
+  EXPECT_GT(all, 1000);
   // Where several motions are possible, a step of a cell may lead to another one.
-  EXPECT_LT(100 * all.wrong, all.cells) << "of " << all.cells;
+  EXPECT_LT(100 * all_wrong, all);
 }
 
 TEST(RegimeMap, HasTheMostCollisionsOfDisturbedMachines) {
@@ -81,9 +75,7 @@ TEST(RegimeMap, HasTheMostCollisionsOfDisturbedMachines) {
   const RegimeMap map = regime_map(machine, {{"restitution", 0.1, 0.2}, 2, {"omega", 1, 4}});
   EXPECT_TRUE(map.disturbed);
   EXPECT_FALSE(map.followed);
-  const auto [cells, wrong] = compared_with_regimes(machine, map, 1);
-  EXPECT_GT(cells, 100);
-  EXPECT_EQ(wrong, 0);
+  EXPECT_THAT(compared_with_regimes(machine, map, 1), FieldsAre(testing::Gt(100), 0));
   ASSERT_FALSE(map.curves.empty());
   const double half = (map.heights[1] - map.heights[0]) / 2;
   for (const MapCurve& curve : map.curves) {
@@ -122,17 +114,18 @@ TEST(RegimeMap, OfTwoConstantsIsThatOfTheirMachines) {
   const RegimeMap map =
       regime_map(machine, {{"restitution", 0.1, 0.4}, 4, {"friction", 0.05, 0.5}});
   EXPECT_FALSE(map.followed);
-  std::vector<double> counts;
+  std::set<double> counts;
   for (const MapColumn& column : map.columns) {
     for (std::size_t k = 0; k < map.heights.size(); k += 7) {
       Scene other = machine;
       set_constant(other, "restitution", column.value);
       other.friction = map.heights[k];
-      counts.push_back(most_per_turn(other));
-      EXPECT_EQ(column.cells[k], counts.back()) << column.value << " " << map.heights[k];
+      const double most = most_per_turn(other);
+      EXPECT_EQ(column.cells[k], most) << column.value << " " << map.heights[k];
+      counts.insert(most);
     }
   }
-  EXPECT_LT(*std::ranges::min_element(counts), *std::ranges::max_element(counts));
+  EXPECT_GT(counts.size(), 1U);
 }
 
 TEST(RegimeMap, KeepsTheCellsThatHadTime) {
@@ -155,9 +148,7 @@ TEST(RegimeMap, RefusesWhatIsNoRangeOfMachines) {
        {{{"restitution", 0.1, 0.5}, 5, {"omega", 0, 1}}, "omega"}});
 }
 
-constexpr double height = 0.03;  // m
-constexpr double fastest = 1.0;  // m/s
-constexpr double restitution = 0.8;
+constexpr double height = 0.03, fastest = 1.0, restitution = 0.8;  // m, m/s
 
 /// A ball above a table that moves as A cos(omega t): an own simulation in the room's frame, with
 /// small steps. Returns whether it still bounces after many periods; below one gravity a ball that
@@ -192,18 +183,6 @@ bool bounces(double omega, double phase, double above, double relative_velocity)
   return true;
 }
 
-/// The share of bouncing balls among random starts.
-double bouncing_share(double omega, int starts) {
-  Random random(99);
-  int bouncing = 0;
-  for (int i = 0; i < starts; ++i) {
-    const double phase = 2 * std::numbers::pi * uniform(random);
-    const double above = height * uniform(random);
-    if (bounces(omega, phase, above, fastest * (2 * uniform(random) - 1))) ++bouncing;
-  }
-  return static_cast<double>(bouncing) / starts;
-}
-
 TEST(Basins, StickingAndBouncingBallsDivideAsInASimulationOfTheirOwn) {
   const double strength = 0.6;  // between the folds of one and of two turns, and below lift-off
   ASSERT_GT(strength, shaken_table::fold_strength(restitution));
@@ -222,9 +201,16 @@ TEST(Basins, StickingAndBouncingBallsDivideAsInASimulationOfTheirOwn) {
   const auto sticking = bouncing == found.basins.begin() ? bouncing + 1 : found.basins.begin();
   EXPECT_EQ(sticking->motion.share_at_rest, 1);
   EXPECT_EQ(sticking->starts + bouncing->starts, starts);
-  const double expected = bouncing_share(table.omega, starts);
-  EXPECT_GT(expected, 0.1);
-  EXPECT_LT(expected, 0.9);
+  Random random(99);
+  int kept_bouncing = 0;
+  for (int i = 0; i < starts; ++i) {
+    const double phase = 2 * std::numbers::pi * uniform(random);
+    const double above = height * uniform(random);
+    const double velocity = fastest * (2 * uniform(random) - 1);
+    kept_bouncing += bounces(table.omega, phase, above, velocity);
+  }
+  const double expected = static_cast<double>(kept_bouncing) / starts;
+  EXPECT_TRUE(expected > 0.1 && expected < 0.9) << expected;
   const double deviation = std::sqrt(2 * expected * (1 - expected) / starts);
   EXPECT_NEAR(static_cast<double>(bouncing->starts) / starts, expected, 3.5 * deviation);
 }
@@ -259,22 +245,21 @@ TEST(Basins, ACarrierThatRestsInEveryTurnForgetsItsStart) {
   const Basins found = basins_of(machine, {100});
   ASSERT_EQ(found.basins.size(), 1U);
   EXPECT_EQ(found.basins[0].motion.collisions_per_turn, most_per_turn(machine));
+  EXPECT_EQ(steady_motion(machine).rest, Rest::on_a_wall);
   EXPECT_EQ(found.height, machine.wall_upper);
 }
 
 TEST(Basins, RefusesWhatCannotBeSampled) {
   const Scene machine = at_speed(default_machine(), 6.0);
-  const auto complaint = [](const Scene& scene, const BasinOptions& options) {
-    return complaint_of([&] { basins_of(scene, options); });
-  };
-  EXPECT_THAT(complaint(machine, {0}), HasSubstr("starts 0: must be within 1.."));
-  EXPECT_THAT(complaint(machine, {10, 1, -1.0}), HasSubstr("height -1"));
-  EXPECT_THAT(complaint(machine, {10, 1, {}, 0.0}), HasSubstr("fastest start 0"));
-  EXPECT_THAT(complaint(shaken_table::on_orbit(restitution, 0.6), {10}),
-              HasSubstr("wall_upper is inf"));
-  EXPECT_THAT(
-      complaint(with(machine, set::disturbance(0.1), set::disturbance_frequency(1.2345)), {10}),
-      HasSubstr("disturbance_frequency"));
+  using Sampled = std::pair<Scene, BasinOptions>;
+  expect_refusals<InputError, Sampled>(
+      [](const Sampled& sampled) { return basins_of(sampled.first, sampled.second); },
+      {{{machine, {0}}, "starts 0: must be within 1.."},
+       {{machine, {10, 1, -1.0}}, "height -1"},
+       {{machine, {10, 1, {}, 0.0}}, "fastest start 0"},
+       {{shaken_table::on_orbit(restitution, 0.6), {10}}, "wall_upper is inf"},
+       {{with(machine, set::disturbance(0.1), set::disturbance_frequency(1.2345)), {10}},
+        "disturbance_frequency"}});
 }
 
 Anatomy anatomy_at(double omega, double turns) {
@@ -296,11 +281,8 @@ TEST(Anatomy, IsADecayAndTwoCollisionsATurn) {
   const Anatomy brief = anatomy_at(3, 3), longer = anatomy_at(3, 30);
   EXPECT_EQ(brief.of_start, longer.of_start);
   EXPECT_EQ(longer.of_long_run - brief.of_long_run, 2 * 27);
-}
-
-TEST(Anatomy, IsUnknownWithoutAPeriod) {
-  const Scene machine = with(default_machine(), set::disturbance(0.1), set::omega(5.0123));
-  EXPECT_FALSE(anatomy_of(machine, simulate(machine).impacts));
+  const Scene shaken = with(default_machine(), set::disturbance(0.1), set::omega(5.0123));
+  EXPECT_FALSE(anatomy_of(shaken, simulate(shaken).impacts)) << "without a period it is unknown";
 }
 
 }  // namespace

@@ -123,24 +123,18 @@ TEST(SceneFields, AreAllTheNumbersOfTheStructs) {
                   {{&scene.window, sizeof(scene.window)}, {&scene.across, sizeof(scene.across)}}),
       sizeof(double))
       << "a member of BasicScene is not in the list";
-  const auto across = [](const auto& visit, const Across<double>& y) {
-    visit_across_fields(visit, y);
-  };
+  const auto across = [](const auto& visit, const auto& y) { visit_across_fields(visit, y); };
   EXPECT_LT(largest_gap(Across<double>{}, across, {}), sizeof(double))
       << "a member of Across is not in the list";
 }
 
-/// The same without an end on one side of each track, and with a pull that turns into both.
-Scene endless_scene() {
-  Scene scene = with(unusual_scene(), set::wall_upper(infinity), set::pull_rotates(true));
-  scene.across->wall_upper = infinity;
-  scene.across->pull = 0;
-  scene.contact_speed.reset();
-  return scene;
-}
-
 TEST(SceneFields, AreWrittenAndReadBackBitForBit) {
-  for (const Scene& scene : {unusual_scene(), flagged_scene(), endless_scene()}) {
+  // Without an end on one side of each track, and with a pull that turns into both.
+  Scene endless = with(unusual_scene(), set::wall_upper(infinity), set::pull_rotates(true));
+  endless.across->wall_upper = infinity;
+  endless.across->pull = 0;
+  endless.contact_speed.reset();
+  for (const Scene& scene : {unusual_scene(), flagged_scene(), endless}) {
     EXPECT_NO_THROW(check(scene, "machine.toml"));
     EXPECT_EQ(values_of(parse_scene(write_scene(scene), "a text")), values_of(scene));
   }

@@ -1,45 +1,39 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/design.h"
-#include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/profile.h"
 #include "problems/carrier_track/suite/robust.h"
 #include "src/core/instance.h"
-#include "tests/support/numbers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-using testing::ElementsAre;
-
 TEST(Design, CostsWhatItsTermsSay) {
-  constexpr DesignScale scale{10.0, 1.0, 4.0, 2e-3};
-  const auto cost_of = [&](const std::array<double, 5>& x) {
-    return design_cost(scale, std::span<const double>(x));
+  const auto cost_of = [](const std::array<double, 5>& x) {
+    return design_cost(DesignScale{10.0, 1.0, 4.0, 2e-3}, std::span<const double>(x));
   };
   const DesignCost<double> cost = cost_of({5.0, 3.0, 1e-3, 0.4, std::exp(-2.0)});
   EXPECT_DOUBLE_EQ(cost.production, -0.5);
   EXPECT_DOUBLE_EQ(cost.precision, 1.0);  // half the clearance, twice the cost
   EXPECT_DOUBLE_EQ(cost.damping, 0.5);
-  EXPECT_DOUBLE_EQ(cost.heat, 0.5 * 0.4 / 8);
+  EXPECT_DOUBLE_EQ(cost.heat, 0.025);
   EXPECT_DOUBLE_EQ(cost.tension, 0.25);
-  EXPECT_DOUBLE_EQ(cost.sum(), -0.5 + 1.0 + 0.5 + 0.025 + 0.25);
+  EXPECT_DOUBLE_EQ(cost.sum(), 1.275);
   // At the nominal pull, and without damping.
-  EXPECT_EQ(cost_of({5.0, 1.0, 2e-3, 0.1, 1.0}).tension, 0);
-  EXPECT_EQ(cost_of({5.0, 1.0, 2e-3, 0.1, 1.0}).damping, 0);
+  const DesignCost<double> least = cost_of({5.0, 1.0, 2e-3, 0.1, 1.0});
+  EXPECT_EQ(std::pair(least.tension, least.damping), std::pair(0.0, 0.0));
 }
 
 TEST(Design, OfTheMachineAsItIsHasItsCount) {
-  const Machine m = exploratory_machine("C1");
+  Machine m = exploratory_machine("C1");
   const Problem problem = design_count_problem(m);
   Vector x = problem.start;
   x[design_speed] = 9.0;
-  const double count = problem.evaluate(x).constraints[0] + m.quiet_limit;
-  EXPECT_EQ(count, count_at(m.scene, 9.0));
-  Machine one_wall = m;
-  one_wall.scene.wall_upper = infinity;
-  EXPECT_EQ(families_of({m, one_wall})[4].problems.size(), 1U) << "it has no clearance";
+  EXPECT_EQ(problem.evaluate(x).constraints[0] + m.quiet_limit, count_at(m.scene, 9.0));
+  m.scene.wall_upper = infinity;
+  EXPECT_EQ(families_of({exploratory_machine("C1"), m})[4].problems.size(), 1U)
+      << "one has no clearance";
 }
 
 TEST(Design, BuildsTheSceneOfItsVariables) {
@@ -57,15 +51,11 @@ TEST(Design, BuildsTheSceneOfItsVariables) {
 /// [rad]: how far the driver plate turns within the profile, exactly.
 double angle_of(const std::vector<SpeedKnot<double>>& profile) {
   double angle = 0;
-  for (std::size_t k = 1; k < profile.size(); ++k)
-    angle +=
-        (profile[k].time - profile[k - 1].time) * (profile[k].omega + profile[k - 1].omega) / 2;
+  for (std::size_t k = 1; k < profile.size(); ++k) {
+    const SpeedKnot<double>&from = profile[k - 1], &to = profile[k];
+    angle += (to.time - from.time) * (from.omega + to.omega) / 2;
+  }
   return angle;
-}
-
-Vector some_shape(const Problem& problem) {
-  Random random(7);
-  return uniform_point(problem, random);
 }
 
 TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
@@ -73,15 +63,14 @@ TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
   const ProfileFrame frame = profile_frame(c1);
   EXPECT_EQ(frame.mean, 1.25 * 9.0);
   for (const std::size_t n : profile_sizes) {
-    const Vector x = some_shape(profile_count_problem(c1, n));
-    const Scene scene = with_profile(
-        c1.scene, frame, std::span<const double>(x.data(), static_cast<std::size_t>(x.size())));
+    Random random(7);
+    const Vector x = uniform_point(profile_count_problem(c1, n), random);
+    const Scene scene = with_profile(c1.scene, frame, std::span<const double>(x.data(), n));
     ASSERT_EQ(scene.profile.size(), n);
     EXPECT_EQ(scene.profile.front().time, 0);
     EXPECT_NEAR(scene.profile.back().time, frame.seconds, 1e-12);
     EXPECT_NEAR(angle_of(scene.profile) / frame.seconds, frame.mean, 1e-12);
-    // The same turns as the window has.
-    EXPECT_NEAR(angle_of(scene.profile), 2 * std::numbers::pi * 1.314, 1e-11);
+    EXPECT_NEAR(angle_of(scene.profile), 2 * std::numbers::pi * 1.314, 1e-11) << "the window's";
     EXPECT_NEAR(scene.profile[1].omega / scene.profile[0].omega, x[1] / x[0], 1e-12);
   }
   c1.scene.window = Seconds{2.5};
@@ -116,8 +105,8 @@ TEST(RiskMeasure, IsThatOfItsDefinition) {
     std::mt19937_64 random(seed);
     std::uniform_int_distribution<int> counts(0, 9);
     std::vector<double> losses;
-    // A tenth of them is whole, or not.
-    for (const int number = std::array{20, 25, 32}[seed % 3]; std::ssize(losses) < number;)
+    // A tenth of them is whole, or not, or less than one.
+    for (const int number = std::array{5, 20, 25, 32}[seed % 4]; std::ssize(losses) < number;)
       losses.push_back(counts(random));
     const auto size = static_cast<double>(losses.size());
     const double sum = std::accumulate(losses.begin(), losses.end(), 0.0);
@@ -133,12 +122,6 @@ TEST(RiskMeasure, OfEqualWholeLossesIsExact) {
     for (const double loss : {7.0, 18.0, 1e6 + 1})
       EXPECT_EQ(risk_of(risk, std::vector<double>(32, loss)), loss);
   }
-}
-
-TEST(RiskMeasure, WeightsSumToOne) {
-  EXPECT_THAT(risk_weights(RiskMeasure::worst, 3), ElementsAre(1, 0, 0));
-  EXPECT_THAT(risk_weights(RiskMeasure::mean, 4), testing::Each(0.25));
-  EXPECT_THAT(risk_weights(RiskMeasure::cvar, 5), ElementsAre(1, 0, 0, 0, 0));
 }
 
 TEST(Robust, ScenesAreTheSameWhenDrawnAgainAndForEveryMachine) {
@@ -182,8 +165,8 @@ TEST(Robust, ScenesFillEveryToleranceEvenly) {
 }
 
 TEST(Robust, ScenesKeepRestitutionAndFrictionWithinWhatIsAllowed) {
-  for (const Scene& s :
-       sampled_scenes(with(Scene{}, set::friction(1.0), set::contact_friction(true)))) {
+  const Scene utmost = with(Scene{}, set::friction(1.0), set::contact_friction(true));
+  for (const Scene& s : sampled_scenes(utmost)) {
     EXPECT_LE(s.restitution_lower, 1.0);
     EXPECT_LE(s.friction, 1.0);
   }
@@ -211,9 +194,7 @@ TEST(Robust, HasSurrogatesThatPassTheirLevelWhereTheCountsLeaveTheLimit) {
       const Vector x = Vector::Constant(1, omega);
       const double shown = sharp.evaluate(x).constraints[0];
       const bool quiet = sharp.true_values(x).violation == 0;
-      if (std::abs(shown) > 1e-3) {
-        EXPECT_EQ(shown < 0, quiet) << name_of(risk) << omega;
-      }
+      EXPECT_TRUE(std::abs(shown) <= 1e-3 || (shown < 0) == quiet) << name_of(risk) << omega;
       loud += !quiet;
     }
     EXPECT_GT(loud, 0);

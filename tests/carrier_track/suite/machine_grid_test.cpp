@@ -3,13 +3,12 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/suite/best_known.h"
 #include "problems/carrier_track/suite/hard_machines.h"
-#include "problems/carrier_track/suite/machine.h"
 #include "problems/carrier_track/suite/speed_problems.h"
-#include "ricochet/error.h"
 #include "ricochet/machine.h"
 #include "ricochet/run.h"
+#include "tests/support/files.h"
+#include "tests/support/refusals.h"
 #include "tests/support/scenes.h"
-#include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -39,10 +38,9 @@ TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
     EXPECT_FALSE(problem.problem.best_known) << problem.problem.name;
     EXPECT_TRUE(problem.problem.name.starts_with(problem.family));
   }
-  const auto& factors = found(problems, "count-" + id).problem.factors;
-  EXPECT_EQ(factors.at("restitution"), 0.75);
-  EXPECT_EQ(factors.at("friction"), friction);
-  EXPECT_EQ(factors.at("disturbance"), 0.5);
+  const std::map<std::string, double> factors{
+      {"restitution", 0.75}, {"friction", friction}, {"disturbance", 0.5}};
+  EXPECT_EQ(found(problems, "count-" + id).problem.factors, factors);
   const Scene scene = scene_of({"mine", 0.75, friction, 0.5, {}}, default_machine());
   const Problem same = count_problem(machine_of(scene, "mine"));
   for (const std::string family : {"count-", "top-speed-"}) {
@@ -108,14 +106,14 @@ TEST(MachineGrid, IsAroundAMachineOfTheUsersOwn) {
       grid_problems("mine", {{"restitution", {0.2, 0.4}}, {"fidelity", {"impact"}}}, own());
   for (const SearchedProblem& each : grid)
     EXPECT_EQ(each.problem.factors.at("friction"), find_case("C4").friction);
-  EXPECT_THAT(machines_of(grid), testing::ElementsAre("mine-r0.2-impact", "mine-r0.4-impact"));
+  EXPECT_THAT(machines_of(grid), ElementsAre("mine-r0.2-impact", "mine-r0.4-impact"));
 }
 
 TEST(MachineGrid, RefusesAMachineThatIsNone) {
-  EXPECT_THROW(grid_problems("C1", {}, own()), InputError);
-  EXPECT_THROW(grid_problems("mine", {}, "[scene]\nmass = 1\n"), InputError);
   std::string profile = own();
   profile.replace(profile.find("omega = 3.0"), 11, "omega = [[0.0, 1.0], [1.0, 3.0]]");
+  EXPECT_THROW(grid_problems("C1", {}, own()), InputError);
+  EXPECT_THROW(grid_problems("mine", {}, "[scene]\nmass = 1\n"), InputError);
   EXPECT_THROW(grid_problems("mine", {}, profile), InputError);
   EXPECT_THROW(grid_problems("C99", {}), InputError);
   EXPECT_THROW(grid_problems("C1", {{"restitution", {1.5}}}), InputError);
@@ -132,20 +130,8 @@ TEST(MachineGrid, HasEveryKeyAndTextThatItDeclares) {
 }
 
 TEST(HardMachines, AreReadAsTheyWereWritten) {
-  const std::vector<HardMachine>& all = hard_machines();
-  const std::string text = write_hard_machines(found_hard_machines());
-  const HardMachines again = parse_hard_machines(text, "text");
-  EXPECT_EQ(write_scene(again.constants), write_scene(found_hard_machines().constants));
-  const std::vector<HardMachine>& read = again.machines;
-  ASSERT_EQ(read.size(), all.size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    EXPECT_EQ(
-        std::tie(read[k].around, read[k].draw, read[k].machine.id, read[k].machine.quiet_limit,
-                 read[k].best.value, read[k].best.point, read[k].best.provenance, read[k].hardness),
-        std::tie(all[k].around, all[k].draw, all[k].machine.id, all[k].machine.quiet_limit,
-                 all[k].best.value, all[k].best.point, all[k].best.provenance, all[k].hardness));
-    EXPECT_EQ(write_scene(read[k].machine.scene), write_scene(all[k].machine.scene));
-  }
+  EXPECT_EQ(write_hard_machines(found_hard_machines()),
+            text_of(fs::path(RICOCHET_SOURCE) / "problems/carrier_track/suite/hard_machines.toml"));
 }
 
 TEST(HardMachines, RefuseWhatIsNoSuchText) {
@@ -162,16 +148,14 @@ TEST(HardMachines, RefuseWhatIsNoSuchText) {
 }
 
 TEST(HardMachines, AreFifteenTheHardestFirstNoMoreThanFiveAroundACase) {
-  const std::vector<HardMachine>& all = hard_machines();
-  ASSERT_EQ(all.size(), 15U);
+  EXPECT_EQ(hard_machines().size(), 15U);
+  EXPECT_TRUE(std::ranges::is_sorted(hard_machines(), {}, quiet_interval_share));
   std::map<std::string, int> around;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    EXPECT_LE(++around[all[k].around], 5);
-    EXPECT_GE(quiet_interval_share(all[k]), 1e-3);
-    EXPECT_LE(quiet_interval_share(all[k]), 1e-2);
-    EXPECT_LE(quiet_interval_share(all[k == 0 ? 0 : k - 1]), quiet_interval_share(all[k]));
-    EXPECT_GE(all[k].hardness.quiet_intervals, 2);
-    EXPECT_GT(all[k].hardness.bisection_gap, speed_tolerance);
+  for (const HardMachine& hard : hard_machines()) {
+    EXPECT_LE(++around[hard.around], 5);
+    EXPECT_NEAR(quiet_interval_share(hard), 5.5e-3, 4.5e-3);
+    EXPECT_GE(hard.hardness.quiet_intervals, 2);
+    EXPECT_GT(hard.hardness.bisection_gap, speed_tolerance);
   }
 }
 
@@ -192,13 +176,8 @@ TEST(HardMachines, AreAskedInEveryFormulationOfATopSpeed) {
   EXPECT_EQ(family.problems[0].name, "hard-top-speed-01");
   EXPECT_EQ(family.problems[0].machine, "hard-01");
   for (const Problem& problem : family.problems) {
-    ASSERT_EQ(problem.formulations().size(), 4U);
-    for (const Formulation& formulation : problem.formulations()) {
-      const Problem formulated = problem.formulated(formulation);
-      const auto true_values = true_values_at(formulated, formulated.best_point.value());
-      EXPECT_EQ(true_values.violation, 0) << problem.name;
-      EXPECT_EQ(true_values.objective, formulated.best_known) << problem.name;
-    }
+    EXPECT_EQ(problem.formulations().size(), 4U) << problem.name;
+    EXPECT_EQ(true_values_at(problem, *problem.best_point).objective, problem.best_known);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
@@ -15,11 +14,9 @@ std::int64_t whole(Random& random, std::int64_t least, std::int64_t most) {
 
 /// Texts with what a writer of TOML must escape.
 std::string any_text(Random& random) {
+  constexpr const char* parts[] = {"*", "\"", "\\", "'", "\n", "\t", "é", "[a-c]", "?"};
   std::string text = "x";
-  for (auto left = random() % 6; left > 0; --left) {
-    text +=
-        std::vector<std::string>{"*", "\"", "\\", "'", "\n", "\t", "é", "[a-c]", "?"}[random() % 9];
-  }
+  for (auto left = random() % 6; left > 0; --left) text += parts[random() % std::size(parts)];
   return text;
 }
 
@@ -28,7 +25,7 @@ auto any_list(Random& random, std::size_t least, const Draw& draw) {
   std::vector<decltype(draw())> list;
   for (std::size_t left = least + random() % 4; left > 0; --left) {
     const auto entry = draw();
-    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+    if (std::ranges::find(list, entry) == list.end()) list.push_back(entry);
   }
   return list;
 }
@@ -42,10 +39,7 @@ PlanPart any_part(Random& random) {
   if (yes()) part.name = "part-" + std::to_string(++parts);
   part.problems = any_list(random, 1, text);
   if (yes()) {
-    const auto number_or_text = [&]() -> OptionValue {
-      if (yes()) return level();
-      return text();
-    };
+    const auto number_or_text = [&] { return yes() ? OptionValue(level()) : OptionValue(text()); };
     part.machines.around = any_text(random);
     for (const char* key : {"fidelity", "friction", "restitution"}) {
       if (yes()) part.machines.levels[key] = any_list(random, 1, number_or_text);
@@ -62,13 +56,10 @@ PlanPart any_part(Random& random) {
   if (yes()) part.smoothings = any_list(random, 0, [&] { return level() + 1e-9; });
   if (part.drawn_machines == 0 && part.machines.around.empty()) part.relocated_optimum = yes();
   if (!part.relocated_optimum && yes()) part.perturbations = any_list(random, 1, text);
-  if (yes()) {
-    part.gradient_prices = any_list(random, 1, [&]() -> std::string {
-      return random() % 3 == 0   ? "n"
-             : random() % 2 == 0 ? "measured"
-                                 : std::to_string(random() % 99);
-    });
-  }
+  const auto price = [&] {
+    return yes() ? yes() ? "n" : "measured" : std::to_string(random() % 99);
+  };
+  if (yes()) part.gradient_prices = any_list(random, 1, price);
   part.budgets = any_list(random, 1, [&] { return whole(random, 1, 1'000'000'000'000); });
   std::sort(part.budgets.begin(), part.budgets.end());
   if (yes()) part.instances = static_cast<int>(whole(random, 1, 1'000'000));
@@ -86,6 +77,11 @@ VariedSolver any_solver(Random& random) {
   return solver;
 }
 
+auto contents(const Plan& plan) {
+  return std::tuple(plan.name, plan.first_instance, plan.limits.seconds, plan.limits.megabytes,
+                    plan.solvers, plan.scenes, plan.parts);
+}
+
 TEST(Plan, IsReadBackFromItsText) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
@@ -97,25 +93,19 @@ TEST(Plan, IsReadBackFromItsText) {
     for (auto left = 1 + random() % 3; left > 0; --left) plan.parts.push_back(any_part(random));
     const std::string text = text_of(plan);
     const Plan again = plan_from(text, "again");
-    EXPECT_EQ(again.name, plan.name);
-    EXPECT_EQ(again.first_instance, plan.first_instance);
-    EXPECT_EQ(again.limits.seconds, plan.limits.seconds);
-    EXPECT_EQ(again.limits.megabytes, plan.limits.megabytes);
-    EXPECT_EQ(again.solvers, plan.solvers) << text;
-    EXPECT_EQ(again.parts, plan.parts) << text;
+    EXPECT_EQ(contents(again), contents(plan)) << text;
     EXPECT_EQ(text_of(again), text);
   }
 }
 
 TEST(Plan, HasWhatItsDocumentationSaysWhereNothingIsNamed) {
-  const Plan plan = plan_from("[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
-  PlanPart part;
-  part.problems = {"a"};
-  part.solvers = {"b"};
-  part.budgets = {7};
-  EXPECT_EQ(plan.parts, std::vector{part});
-  EXPECT_EQ(plan.limits.seconds, Limits().seconds);
-  EXPECT_EQ(plan.limits.megabytes, Limits().megabytes);
+  Plan plan;
+  plan.parts.emplace_back();
+  plan.parts[0].problems = {"a"};
+  plan.parts[0].solvers = {"b"};
+  plan.parts[0].budgets = {7};
+  EXPECT_EQ(contents(plan_from("[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = 7", "")),
+            contents(plan));
 }
 
 const std::string least = "[[part]]\nproblems = [\"a\"]\nsolvers = [\"b\"]\nbudgets = [7]\n";
@@ -126,46 +116,41 @@ Plan my_plan(const std::string& text) {
 
 /// Beside what every field of its kind refuses: see Fields.
 TEST(Plan, RefusesAValueOfAPartWithPlaceValueAndRange) {
-  const auto read_line = [](const std::string& line) { return my_plan(least + line); };
-  const std::string place = "my.toml:1, part 1";
-  const std::string up_to_a_million = "must be a whole number from 1 to 1000000";
-  const std::string positive = "must be a finite number > 0";
   const std::string a_list = "must be a list of one or more";
   const std::string a_price = "must be \"n\", \"measured\" or a whole number >= 0";
-  const std::string around_c1 = "machines = {around = \"C1\"}";
-  expect_refusals(
-      read_line,
-      {{"instances = 0", place + ": instances = 0: " + up_to_a_million},
-       {"seeds = 1000001", place + ": seeds = 1000001: " + up_to_a_million},
-       {"variables = []", place + ": variables = []: must be a number, or [least, most]"},
-       {"variables = [1, 2, 3]", place + ": variables = [ 1, 2, 3 ]: must be a number, or [least"},
-       {"variables = [3, 2]", place + ": variables = [ 3, 2 ]: must be rising"},
-       {"variables = 0", place + ": variables = 0: must be a whole number from 1"},
-       {"formulations = []", place + ": formulations = []: " + a_list},
-       {"perturbations = []", place + ": perturbations = []: " + a_list},
-       {"perturbations = [\"a\", \"a\"]",
-        place + ": perturbations = [ 'a', 'a' ]: must be a list without repetitions"},
-       {"smoothings = [0.0]", place + ": smoothings = 0.0: " + positive},
-       {"gradient_prices = [-1]", place + ": gradient_prices = -1: must be a whole number from 0 "
-                                          "to 1000000000"},
-       {"gradient_prices = [\"m\"]", place + ": gradient_prices = 'm': " + a_price},
-       {"gradient_prices = [1.5]", place + ": gradient_prices = 1.5: " + a_price},
-       {"gradient_prices = []", place + ": gradient_prices = []: " + a_list},
-       {"machines = {}", place + ", machines: around is missing"},
-       {"machines = {around = 1}", place + ", machines: around = 1: must be a text"},
-       {"machines = {around = \"C1\", friction = [true]}",
-        place + ", machines: friction = true: must be a finite number or a text"},
-       {"machines = {around = \"C1\", friction = []}",
-        place + ", machines: friction = []: " + a_list},
-       {"drawn_machines = 0", place + ": drawn_machines = 0: must be a whole number from 1"},
-       {"drawn_machines = 1\n" + around_c1,
-        place + ": drawn_machines = 1: must be left out where machines are named"},
-       {"relocated_optimum = true\n" + around_c1,
-        place + ": relocated_optimum = true: must be left out where machines are named or drawn"},
-       {"relocated_optimum = true\nperturbations = \"noisy\"",
-        place + ": perturbations = 'noisy': must be left out where relocated_optimum is true"},
-       {"name = \"../up\"", place + ": name = '../up': must be small letters, digits and hyphens"},
-       {"seed = 1", place + ": there is no key seed; did you mean seeds"}});
+  const std::string around_c1 = "\nmachines = {around = \"C1\"}";
+  const std::vector<Refusal<std::string>> refusals = {
+      {"instances = 0", ": instances = 0: must be a whole number from 1 to 1000000"},
+      {"seeds = 1000001", "must be a whole number from 1 to 1000000"},
+      {"variables = []", "must be a number, or [least, most]"},
+      {"variables = [1, 2, 3]", ": variables = [ 1, 2, 3 ]: must be a number, or [least, most]"},
+      {"variables = [3, 2]", "must be rising"},
+      {"variables = 0", "must be a whole number from 1"},
+      {"formulations = []", a_list},
+      {"perturbations = []", a_list},
+      {"perturbations = [\"a\", \"a\"]", "= [ 'a', 'a' ]: must be a list without repetitions"},
+      {"smoothings = [0.0]", "= 0.0: must be a finite number > 0"},
+      {"gradient_prices = [-1]", "= -1: must be a whole number from 0 to 1000000000"},
+      {"gradient_prices = [\"m\"]", "= 'm': " + a_price},
+      {"gradient_prices = [1.5]", "= 1.5: " + a_price},
+      {"gradient_prices = []", a_list},
+      {"machines = {}", ", machines: around is missing"},
+      {"machines = {around = 1}", ", machines: around = 1: must be a text"},
+      {"machines = {around = \"C1\", friction = [true]}", "must be a finite number or a text"},
+      {"machines = {around = \"C1\", friction = []}", ", machines: friction = []: " + a_list},
+      {"drawn_machines = 0", "must be a whole number from 1"},
+      {"drawn_machines = 1" + around_c1, "must be left out where machines are named"},
+      {"relocated_optimum = true" + around_c1,
+       "must be left out where machines are named or drawn"},
+      {"perturbations = \"noisy\"\nrelocated_optimum = true",
+       "'noisy': must be left out where relocated_optimum is true"},
+      {"name = \"../up\"", "= '../up': must be small letters, digits and hyphens"},
+      {"seed = 1", "there is no key seed; did you mean seeds"}};
+  for (const auto& [line, words] : refusals) {
+    EXPECT_THAT(complaint_of([&, &line = line] { return my_plan(least + line); }),
+                AllOf(StartsWith("my.toml:1, part 1"), HasSubstr(line.substr(0, line.find(' '))),
+                      HasSubstr(words)));
+  }
   const auto read_budgets = [](const std::string& budgets) {
     return my_plan("[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = " + budgets);
   };
@@ -212,9 +197,8 @@ TEST(Plan, RefusesWhatIsMissingOrNoPlan) {
        {"include = [\"a\"]\n" + least, "include = [ 'a' ]: must be left out"},
        {wide + wide, "part 2: name = 'wide': must be unlike that of another part"}});
   for (const std::string key : {"problems", "solvers", "budgets"}) {
-    std::string text = least;
-    text.replace(text.find(key), key.size(), "# " + key);
-    expect_refusals(my_plan, {{text, key + " is missing"}});
+    expect_refusals(my_plan,
+                    {{std::string(least).insert(least.find(key), "# "), key + " is missing"}});
   }
   EXPECT_THROW(read_plan("/nothing/there.toml"), InputError);
 }
@@ -235,11 +219,8 @@ TEST_F(PlanFile, KeepsTheTextOfASceneAndReadsItBack) {
                                plan_with("name = \"mine\"\nfile = \"" + machine.string() + "\""));
   const Plan plan = read_plan(file.string());
   EXPECT_EQ(plan.scenes, (std::vector{PlanScene{"mine", text}}));
-  EXPECT_EQ(plan.parts[0].machines.around, "mine");
-  const Plan again = plan_from(text_of(plan), "a store");
-  EXPECT_EQ(again.scenes, plan.scenes);
-  EXPECT_EQ(text_of(again), text_of(plan));
-  std::filesystem::remove(machine);
+  EXPECT_EQ(contents(plan_from(text_of(plan), "a store")), contents(plan));
+  fs::remove(machine);
   EXPECT_THROW(read_plan(file.string()), InputError);
 }
 
@@ -261,17 +242,16 @@ TEST(Plan, HasThePartsOfThosePlansThatItIncludesAfterItsOwn) {
     return plan_from("name = \"" + name + "\"\n" + least + "name = \"" + name + "\"\n", name);
   };
   const Plan plan = plan_from("include = [\"b\", \"a\"]\n" + least, "my.toml", other);
-  ASSERT_EQ(plan.parts.size(), 3U);
-  EXPECT_EQ(plan.parts[1].name, "b");
-  EXPECT_EQ(plan.parts[2].name, "a");
+  EXPECT_THAT(plan.parts,
+              ElementsAre(testing::Field(&PlanPart::name, ""), testing::Field(&PlanPart::name, "b"),
+                          testing::Field(&PlanPart::name, "a")));
   EXPECT_EQ(plan.name, Plan().name);
   EXPECT_EQ(plan_from("include = \"a\"", "my.toml", other).parts.size(), 1U);
-  const Plan again = plan_from(text_of(plan), "a store");
-  EXPECT_EQ(text_of(again), text_of(plan)) << "a stored plan includes none";
+  EXPECT_EQ(contents(plan_from(text_of(plan), "a store")), contents(plan)) << "it includes none";
   const auto always_a = [&](const std::string&) { return other("a"); };
-  EXPECT_THAT(
-      complaint_of([&] { return plan_from("include = [\"a\", \"b\"]", "my.toml", always_a); }),
-      testing::HasSubstr("part 2: name = 'a': must be unlike that of another part"));
+  expect_refusals(
+      [&](const auto& text) { return plan_from(text, "my.toml", always_a); },
+      {{"include = [\"a\", \"b\"]", "part 2: name = 'a': must be unlike that of another"}});
 }
 
 }  // namespace

@@ -12,14 +12,9 @@
 #include "tests/support/files.h"
 #include "tests/support/pipe.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
-
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 const Problem valley = bowl("valley", 1);
 
@@ -63,27 +58,22 @@ std::string failure_of(const std::function<void()>& does, const Limits& limits =
   EXPECT_EQ(record.trace.size(), 1U);
   EXPECT_EQ(record.trace.at(0).x[0], 0.5);
   EXPECT_DOUBLE_EQ(record.trace.at(0).true_values.objective, 0.04);
-  EXPECT_EQ(record.solver, "that");
-  EXPECT_EQ(record.problem, "valley");
-  EXPECT_EQ(record.run, 3);
+  EXPECT_EQ(std::tuple(record.solver, record.problem, record.run), std::tuple("that", "valley", 3));
   return record.failure;
 }
 
-TEST(Worker, BringsBackTheRecordOfARun) {
-  const Solver solver = that([] {});
-  const RunRecord here = run(valley, solver, {20}, 3);
-  EXPECT_EQ(bits_of(without_times(record_of(valley, solver, {}))), bits_of(without_times(here)));
-}
-
-TEST(Worker, SurvivesASolverThatThrowsOrCrashes) {
+TEST(Worker, SurvivesASolverOrAProblemThatThrowsOrCrashes) {
   EXPECT_THAT(failure_of([] { throw std::runtime_error("torn"); }), StartsWith("torn"));
   EXPECT_THAT(failure_of([] { throw 7; }), HasSubstr("not a std::exception"));
-  EXPECT_THAT(failure_of([] { raise(SIGSEGV); }), testing::Not(IsEmpty()));
+  EXPECT_THAT(failure_of([] { raise(SIGSEGV); }), Not(IsEmpty()));
   EXPECT_THAT(failure_of([] { _exit(3); }), HasSubstr("exit status 3"));
   EXPECT_THAT(failure_of([] { _exit(0); }), HasSubstr("exit status 0"));
   const RunRecord killed = record_of(valley, that([] { kill(getpid(), SIGKILL); }));
-  EXPECT_THAT(killed.failure, StartsWith("crashed: Killed"));
+  EXPECT_THAT(killed.failure, StartsWith("crashed: Killed")) << "again, as it is made once more";
   EXPECT_EQ(killed.ledger.charged, 20);
+  Problem torn = valley;
+  torn.evaluate = [](const Vector&) -> Values { throw std::runtime_error("torn"); };
+  EXPECT_EQ(record_of(torn, that([] {})).failure, "torn");
 }
 
 /// Of the limits of the plan and of the problem the shorter one holds.
@@ -99,8 +89,7 @@ TEST(Worker, KillsASolverThatHangsWithAllThatItHasStarted) {
   EXPECT_TRUE(held.is_held_by_nobody()) << "the other is gone, too";
   volatile bool always = true;
   const auto is_busy = [&] {
-    while (always) {
-    }
+    while (always) continue;
   };
   EXPECT_THAT(failure_of(is_busy, soon), StartsWith(said));
   Problem problem = valley;
@@ -124,9 +113,7 @@ TEST(Worker, GivesASolverNoMoreMemoryThanAllowed) {
   };
   EXPECT_THAT(failure_of(eats, {60, 16}), StartsWith("out of memory"));
   const auto does_not_look = [] {
-    for (int k = 0; k < 30; ++k) {
-      static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
-    }
+    for (int k = 0; k < 30; ++k) static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
   };
   EXPECT_THAT(failure_of(does_not_look, {60, 16}), StartsWith("crashed: "));
   EXPECT_THAT(failure_of(eats, {60, 200}), IsEmpty());
@@ -140,8 +127,7 @@ TEST(Worker, MakesARunAgainWhereAnotherMayHaveSpoiltTheProcess) {
   });
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const auto records = records_of({{&valley, &spoils, {1}}, {&valley, &suffers, {1}}});
-  EXPECT_THAT(records[0].failure, IsEmpty());
-  EXPECT_THAT(records[1].failure, IsEmpty());
+  EXPECT_THAT(records, Each(testing::Field(&RunRecord::failure, "")));
   EXPECT_EQ(records[1].terminations.size(), 2U);
 }
 
@@ -157,9 +143,8 @@ TEST(Worker, KeepsWhatASolverPrintsOutOfTheResults) {
 
 TEST(Worker, RefusesLimitsThatAreNone) {
   EXPECT_NO_THROW(check({}));
-  for (const Limits& limits : {Limits{0, 1}, Limits{std::nan(""), 1}, Limits{1, -1}}) {
+  for (const auto& limits : {Limits{0, 1}, {quiet_nan, 1}, {1, -1}})
     EXPECT_THROW(check(limits), InputError);
-  }
 }
 
 TEST(Worker, DoesNotOutliveWhatWasThrownOutside) {
@@ -170,88 +155,53 @@ TEST(Worker, DoesNotOutliveWhatWasThrownOutside) {
                std::bad_alloc);
 }
 
-/// Instances of a bowl, each for two solvers.
-struct Jobs {
-  std::vector<Problem> problems;
-  std::vector<Solver> solvers{chance("one"), chance("other")};
-  std::vector<Job> jobs;
-
-  explicit Jobs(int instances) {
-    for (int i = 0; i < instances; ++i) problems.push_back(instance(bowl("bowl", 3), i));
-    for (const Problem& problem : problems) {
-      for (const Solver& solver : solvers) jobs.push_back({&problem, &solver, {100}, 0});
-    }
-  }
-
-  std::vector<RunRecord> run_on(std::size_t processes) const {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, processes);
-    return records_of(jobs);
-  }
-};
-
 /// Ends this process with 7 and the reason if runs are refused.
-[[noreturn]] void run_with_few_open_files(const Jobs& jobs) {
+[[noreturn]] void run_with_few_open_files() {
   int next = 0;  // descriptors below it are open
   while (fcntl(next, F_GETFD) >= 0) ++next;
   // Enough to start a process, too few for what a solver may open there.
   const auto few = static_cast<rlim_t>(next) + 10;
   const rlimit limit{few, few};
   setrlimit(RLIMIT_NOFILE, &limit);
-  std::fputs(complaint_of<OutputError>([&] { return jobs.run_on(1); }).c_str(), stderr);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const Solver solver = chance("any");
+  const auto run = [&] { return records_of({{&valley, &solver, {20}}}); };
+  std::fputs(complaint_of<OutputError>(run).c_str(), stderr);
   std::_Exit(7);
 }
 
 TEST(Runner, StartsNothingWhereTooFewFilesMayBeOpen) {
-  EXPECT_EXIT(run_with_few_open_files(Jobs(1)), testing::ExitedWithCode(7),
+  EXPECT_EXIT(run_with_few_open_files(), testing::ExitedWithCode(7),
               "^too many open files: the limit is ");
 }
 
-TEST(Runner, GivesTheSameBitsInTheSameOrderOnAnyNumberOfProcesses) {
-  const Jobs jobs(20);
-  const auto one = jobs.run_on(1);
-  const auto two = jobs.run_on(2);
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(two[i].solver, jobs.jobs[i].solver->name);
-    EXPECT_EQ(two[i].instance, jobs.jobs[i].problem->instance);
-    EXPECT_EQ(bits_of(without_times(one[i])), bits_of(without_times(two[i])));
+TEST(Runner, BringsTheRecordsOfThisProcessInOrderFromAnyNumberOfOthers) {
+  std::vector<Problem> problems;
+  for (int i = 0; i < 20; ++i) problems.push_back(instance(bowl("bowl", 3), i));
+  const Solver solvers[] = {chance("one"), chance("other")};
+  std::vector<Job> jobs;
+  for (const Problem& problem : problems) {
+    for (const Solver& solver : solvers) jobs.push_back({&problem, &solver, {100}, 0});
   }
-}
-
-TEST(Runner, FinishesTheOtherRunsWhenOneFails) {
-  Jobs jobs(3);
-  jobs.problems[1].evaluate = [](const Vector&) -> Values { throw std::runtime_error("torn"); };
-  const auto records = jobs.run_on(2);
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    EXPECT_EQ(records[i].failure, i == 2 || i == 3 ? "torn" : "");
+  for (const std::size_t processes : {1, 2}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, processes);
+    const auto records = records_of(jobs);
+    for (std::size_t i = 0; i < 40; ++i) {
+      const RunRecord here = run(*jobs[i].problem, *jobs[i].solver, jobs[i].budget, 0);
+      EXPECT_EQ(bits_of(without_times(records.at(i))), bits_of(without_times(here)));
+    }
   }
-  EXPECT_EQ(records[5].ledger.charged, 100);
 }
 
 using RunnerInAFolder = TemporaryFolder;
 
 TEST_F(RunnerInAFolder, MakesARunAgainWhoseProcessSomebodyHasKilled) {
-  Jobs jobs(2);
-  jobs.solvers[0].solve = [mark = folder_ / "killed"](Evaluator& evaluator, const Vector& start,
-                                                      Random&) {
-    if (!std::filesystem::exists(mark)) {
-      write_file(mark, "once");
-      raise(SIGKILL);
-    }
-    evaluator.objective(start);
-    return SolverTermination{"survived"};
-  };
-  for (const RunRecord& record : jobs.run_on(1)) EXPECT_EQ(record.failure, "");
-}
-
-TEST(Runner, GivesUpARunThatIsKilledAgain) {
-  Jobs jobs(2);
-  jobs.solvers[0].solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
+  const auto is_killed_once = [mark = folder_ / "killed"] {
+    if (fs::exists(mark)) return;
+    write_file(mark, "once");
     raise(SIGKILL);
-    return {"never"};
   };
-  for (const RunRecord& record : jobs.run_on(2)) {
-    EXPECT_EQ(record.failure, record.solver == "one" ? "crashed: Killed" : "");
-  }
+  EXPECT_EQ(record_of(valley, that(is_killed_once)).failure, "");
 }
 
 /// A message keeps that a number is none, but not which of those.

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ricochet/problem.h"
 #include "ricochet/random.h"
 #include "src/core/instance.h"
+#include "tests/support/test.h"
 
 namespace ricochet {
 
@@ -21,7 +17,7 @@ struct ProblemKind {
 /// Random least squares with random quadratic constraints, all derivatives exact: with d = x - s,
 /// residual k is a_k d + q_k d^2 / 2, constraint j is c_j d + p_j d^2 / 2 - e_j, where e_j is 0 for
 /// an equality and positive for others. Its best point is s, also where it is turned. A smoothing
-/// smoothing parameter w adds w d^2 / 2 to the objective.
+/// parameter w adds w d^2 / 2 to the objective.
 inline Problem random_problem(Random& random, const ProblemKind& kind) {
   const Eigen::Index n = kind.dimension;
   const Eigen::Index m = n + 2;
@@ -56,18 +52,17 @@ inline Problem random_problem(Random& random, const ProblemKind& kind) {
       const Vector d = x - of.s;
       return Residuals{of.a * d + 0.5 * d.squaredNorm() * of.q, of.a + of.q * d.transpose()};
     };
-    result.evaluate = [of, residuals = result.residuals](const Vector& x) {
+    result.differentiate = [of, residuals = result.residuals](const Vector& x) {
       const Vector d = x - of.s;
-      const double square = d.squaredNorm();
-      return Values{residuals(x).values.squaredNorm() / 2 + of.smoothing * square / 2,
-                    of.c * d + 0.5 * square * of.p - of.e};
-    };
-    result.differentiate = [of, residuals = result.residuals,
-                            evaluate = result.evaluate](const Vector& x) {
-      const Vector d = x - of.s;
+      const double half_square = 0.5 * d.squaredNorm();
       const Residuals r = residuals(x);
-      return Derivatives{evaluate(x), r.jacobian.transpose() * r.values + of.smoothing * d,
+      return Derivatives{{r.values.squaredNorm() / 2 + of.smoothing * half_square,
+                          of.c * d + half_square * of.p - of.e},
+                         r.jacobian.transpose() * r.values + of.smoothing * d,
                          of.c + of.p * d.transpose()};
+    };
+    result.evaluate = [differentiate = result.differentiate](const Vector& x) {
+      return differentiate(x).values;
     };
     result.lagrangian_hessian = [of, residuals = result.residuals](const Vector& x, double factor,
                                                                    const Vector& multipliers) {
@@ -127,16 +122,6 @@ struct Told {
     add(constraints), add(gradient), add(residuals), add(jacobian), add(jacobian_of_residuals);
     for (Eigen::Index j = 0; j < hessian.cols(); ++j) add(hessian.col(j).head(j + 1));
     return all;
-  }
-
-  /// With each of its numbers changed.
-  template <class Change>
-  Told changed(const Change& change) const {
-    const auto all = [&](const auto& list) {
-      return list.unaryExpr([&](double number) { return change(number); }).eval();
-    };
-    return {change(objective), all(constraints),           all(gradient), all(residuals),
-            all(jacobian),     all(jacobian_of_residuals), all(hessian)};
   }
 };
 

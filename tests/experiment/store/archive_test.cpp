@@ -3,35 +3,27 @@
 #include <SQLiteCpp/Database.h>
 
 #include "tests/experiment/store/stored.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
 
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 /// A run whose feasible improvements have these objectives, after 1, 2, ... evaluations.
-RunRecord record_of(const std::vector<double>& objectives) {
+RunRecord improving(const std::vector<double>& objectives) {
   RunRecord record;
   record.seed = 7;
   record.ledger.seconds = 0.12345;
-  for (const double objective : objectives) {
-    record.trace.push_back({static_cast<std::int64_t>(record.trace.size()) + 1,
-                            0.0123456,
-                            {objective, 0.0},
-                            Vector::Ones(2)});
+  for (std::int64_t evaluations = 1; const double objective : objectives) {
+    record.trace.push_back({evaluations++, 0.0123456, {objective, 0.0}, Vector::Ones(2)});
   }
   return record;
 }
 
-StoredProblem problem_of(double best_known, double tolerance) {
+/// What an archive keeps of it.
+RunRecord thinned(const RunRecord& record, double best_known, double tolerance) {
   StoredProblem problem;
   problem.best_known = best_known;
   problem.tolerance = tolerance;
-  return problem;
+  return thinned(record, problem);
 }
 
 std::vector<double> objectives_of(const RunRecord& record) {
@@ -41,8 +33,7 @@ std::vector<double> objectives_of(const RunRecord& record) {
 }
 
 TEST(Archive, KeepsImprovementsToAHundredthTheFirstThatSolvesAndTheLast) {
-  const RunRecord thin =
-      thinned(record_of({401, 400, 50, 5, 4.5, 1.2, 1.1, 1.05}), problem_of(1, 0.5));
+  const RunRecord thin = thinned(improving({401, 400, 50, 5, 4.5, 1.2, 1.1, 1.05}), 1, 0.5);
   EXPECT_THAT(objectives_of(thin), ElementsAre(404, 5, 1.2, 1.05));
   EXPECT_EQ(thin.seed, 0U);
   EXPECT_DOUBLE_EQ(thin.ledger.seconds, 0.12);
@@ -54,19 +45,19 @@ TEST(Archive, KeepsImprovementsToAHundredthTheFirstThatSolvesAndTheLast) {
 }
 
 TEST(Archive, KeepsTheFirstFeasibleThoseTooLargeToRoundAndTheFirstAsGoodAsTheReturnedPoint) {
-  RunRecord record = record_of({11, 10, 9, 8});
+  RunRecord record = improving({11, 10, 9, 8});
   record.returned = ReturnedPoint{Vector::Ones(2), {9.5, 0.0}};
-  const RunRecord thin = thinned(record, problem_of(1, 0));
+  const RunRecord thin = thinned(record, 1, 0);
   EXPECT_THAT(objectives_of(thin), ElementsAre(11, 9, 8));
   EXPECT_EQ(thin.returned->x.size(), 0);
   EXPECT_EQ(thin.returned->true_values.objective, 9.5);
   const double largest = std::numeric_limits<double>::max();
-  EXPECT_THAT(objectives_of(thinned(record_of({largest, 1.5, 1.25}), problem_of(1, 0))),
+  EXPECT_THAT(objectives_of(thinned(improving({largest, 1.5, 1.25}), 1, 0)),
               ElementsAre(largest, 1.5, 1.25));
-  record = record_of({1, 2, 9, 8});
+  record = improving({1, 2, 9, 8});
   record.trace[0].true_values.violation = 2;
   record.trace[1].true_values.violation = 1;
-  EXPECT_THAT(objectives_of(thinned(record, problem_of(0, 0))), ElementsAre(9, 8));
+  EXPECT_THAT(objectives_of(thinned(record, 0, 0)), ElementsAre(9, 8));
 }
 
 TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
@@ -77,9 +68,9 @@ TEST(Archive, RoundsUpWhatDoesNotSolveAndKeepsItsOrder) {
     std::vector<double> objectives;
     for (int step = 0; step < 9; ++step) objectives.push_back(best + gaps(random));
     std::ranges::sort(objectives, std::greater());
-    RunRecord record = record_of(objectives);
+    RunRecord record = improving(objectives);
     record.returned = ReturnedPoint{Vector::Ones(2), {objectives[4], 0.0}};
-    const RunRecord thin = thinned(record, problem_of(best, 1e-6));
+    const RunRecord thin = thinned(record, best, 1e-6);
     for (const Improvement& step : thin.trace) {
       const double before = objectives[static_cast<std::size_t>(step.evaluations) - 1];
       const double after = step.true_values.objective;
@@ -116,7 +107,7 @@ class ArchiveFile : public TemporaryFolder {
   void expect_refused(const std::string& bytes, const std::string& words) const {
     write_file(archive_, bytes);
     EXPECT_THAT(complaint_of([&] { return reading(archive_); }),
-                AllOf(testing::StartsWith(archive_.string() + ": "), HasSubstr(words)));
+                AllOf(StartsWith(archive_.string() + ": "), HasSubstr(words)));
   }
 };
 

@@ -1,13 +1,9 @@
 #include "src/experiment/merge.h"
 
 #include "tests/experiment/store/stored.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
-
-namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 class Merge : public TemporaryFolder {
  protected:
@@ -22,10 +18,8 @@ class Merge : public TemporaryFolder {
   void expect_refused(const fs::path& first, const fs::path& second,
                       const std::string& reason) const {
     const auto files = number_of_files(folder_);
-    EXPECT_THAT(complaint_of([&] {
-                  return merge({first, second}, out_), 0;
-                }),
-                testing::AllOf(testing::StartsWith(second.string()), HasSubstr(reason)));
+    const auto merging = [&] { return merge({first, second}, out_), 0; };
+    EXPECT_THAT(complaint_of(merging), AllOf(StartsWith(second.string()), HasSubstr(reason)));
     EXPECT_EQ(number_of_files(folder_), files) << "no file is made";
   }
 
@@ -40,11 +34,12 @@ TEST_F(Merge, OfPartsIsTheWhole) {
   const fs::path first = part("a", 20, 40);
   merge({first, part("b", 0, 20, elsewhere), part("empty", 0, 0)}, out_);
   const Store merged = reading(out_);
-  EXPECT_EQ(merged.digest(), whole.digest());
+  Digest digest(a_description());
+  for (const RunKey& key : whole.keys()) digest.add(key, whole.find(key)->record);
+  EXPECT_EQ(merged.digest(), digest.text());
+  EXPECT_EQ(whole.digest(), digest.text());
   EXPECT_EQ(merged.description().made, a_description().made);
   EXPECT_EQ(bits_of(merged), bits_of(whole));
-  merge({first, first}, folder_ / "twice");
-  EXPECT_EQ(reading(folder_ / "twice").size(), 20);
 }
 
 TEST_F(Merge, TakesARunOnceThatTwoHave) {
@@ -122,11 +117,12 @@ TEST(StoredParts, DifferWithEveryBitOfARun) {
       {"point returned", [](auto& r) { flip_last_bit(r.returned->x[0]); }},
       {"point returned", [](auto& r) { flip_last_bit(r.returned->true_values.violation); }},
       {"point returned", [](auto& r) { r.returned.reset(); }}};
+  const auto parts = parts_of(a_record());
   for (const auto& [part, change] : changes) {
     RunRecord changed = a_record();
     change(changed);
-    EXPECT_EQ(difference(parts_of(a_record()), parts_of(changed)), part);
-    EXPECT_EQ(difference(parts_of(changed), parts_of(a_record())), part);
+    EXPECT_EQ(difference(parts, parts_of(changed)), part);
+    EXPECT_EQ(difference(parts_of(changed), parts), part);
     EXPECT_NE(digest(a_description(), a_key(1), changed), digest()) << part;
   }
 }

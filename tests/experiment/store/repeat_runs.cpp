@@ -4,9 +4,8 @@
 ///
 ///     repeat_runs STORE TIMES OUT      writes OUT/plan.toml and OUT/runs.sqlite
 ///
-/// The plan is the store's own with as many times the instances, so that its report is drawn by
-/// `ricochet run OUT/plan.toml --out OUT --resume`. The runs are made up: no figure of it means
-/// anything.
+/// The plan is the store's own with as many times the instances: `ricochet run OUT/plan.toml --out
+/// OUT --resume` draws its report. The runs are made up: no figure of it means anything.
 
 #include <fmt/format.h>
 
@@ -76,10 +75,5 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "repeat_runs STORE TIMES OUT\n");
     return 2;
   }
-  try {
-    ricochet::repeat(arguments[1], times, arguments[3]);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  }
+  ricochet::repeat(arguments[1], times, arguments[3]);
 }

@@ -3,15 +3,14 @@
 #include "tests/support/campaigns.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 
-inline Store reading(const std::filesystem::path& file) {
+inline Store reading(const fs::path& file) {
   return Store::open(file, Store::For::reading);
 }
 
-inline Store adding(const std::filesystem::path& file) {
+inline Store adding(const fs::path& file) {
   return Store::open(file, Store::For::adding);
 }
 
@@ -37,18 +36,17 @@ inline std::map<RunKey, std::vector<std::string>> bits_of(const Store& store) {
 }
 
 /// How many files there are in the folder.
-inline auto number_of_files(const std::filesystem::path& folder) {
-  return std::distance(std::filesystem::directory_iterator(folder), {});
+inline auto number_of_files(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), {});
 }
 
 /// Neither way to open the file does more than refuse, with its name and these words.
-inline void expect_no_store(const std::filesystem::path& file, const std::string& words) {
+inline void expect_no_store(const fs::path& file, const std::string& words) {
   for (const auto purpose : {Store::For::reading, Store::For::adding}) {
-    EXPECT_THAT(complaint_of([&] {
-                  Store::open(file, purpose).each([](const StoredRun&) {});
-                  return 0;
-                }),
-                testing::AllOf(testing::StartsWith(file.string()), testing::HasSubstr(words)));
+    const auto opening = [&] {
+      return Store::open(file, purpose).each([](const StoredRun&) {}), 0;
+    };
+    EXPECT_THAT(complaint_of(opening), AllOf(StartsWith(file.string()), HasSubstr(words)));
   }
 }
 

@@ -4,13 +4,9 @@
 #include "src/experiment/merge.h"
 #include "src/experiment/run_rows.h"
 #include "tests/experiment/store/stored.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
-
-namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 RunRecord a_strangers_record() {
   RunRecord record;
@@ -84,53 +80,45 @@ struct Forgery {
 };
 
 TEST_F(StrangersStore, HasPossibleRunsOrIsRefusedWithTableAndRow) {
-  const auto nan = std::numeric_limits<double>::quiet_NaN();
-  const auto expect_runs_refused = [&](const std::string& update, const std::string& where,
-                                       const std::vector<Forgery<RunRecord>>& forgeries) {
-    for (const auto& [columns, change, words] : forgeries) {
-      RunRecord record = a_strangers_record();
-      change(record);
-      const std::uint64_t sum = checksum(a_key(1), record, repeated(record.terminations));
-      expect_refused_after(
-          fmt::format("UPDATE {} SET {} {}; UPDATE run SET checksum = {} WHERE number = 2", update,
-                      columns, where, static_cast<std::int64_t>(sum)),
-          words);
-      EXPECT_THROW(Store::create(folder_ / "new", a_description()).add(a_key(1), record),
-                   InputError);
-      fs::remove(folder_ / "new");
-    }
-  };
-  expect_runs_refused(
-      "run", "",
-      {{"charged = 61", [](auto& r) { r.ledger.charged = 61; },
-        "table run, row 2: charged is 61: must be from 0 to 60"},
-       {"charged = -1", [](auto& r) { r.ledger.charged = -1; }, "charged is -1"},
-       {"refused = -9", [](auto& r) { r.ledger.refused = -9; }, "refused is -9"},
-       {"seconds = -0.25", [](auto& r) { r.ledger.seconds = -0.25; },
-        "seconds is -0.25: must be a time"},
-       {"seconds = 9e999", [](auto& r) { r.ledger.seconds = infinity; }, "seconds is inf"},
-       {"seconds = x'000000000000f87f'", [nan](auto& r) { r.ledger.seconds = nan; },
-        "seconds is nan"},
-       {"own_instance = -1", [](auto& r) { r.instance = -1; }, "own_instance is -1"},
-       {"own_run = -4294967296", [](auto& r) { r.run = -1; }, "own_run is -4294967296"},
-       {"returned_violation = -0.5", [](auto& r) { r.returned->true_values.violation = -0.5; },
-        "returned_violation is -0.5"},
-       {"seconds_allowed = -1.0", [](auto& r) { r.budget.seconds = -1; },
-        "seconds_allowed is -1"}});
-  expect_runs_refused(
-      "improvement", "WHERE run = 2 AND step = 0",
-      {{"evaluations = 30", [](auto& r) { r.trace[0].evaluations = 30; }, "fewer than before"}});
-  expect_runs_refused(
-      "improvement", "WHERE run = 2 AND step = 1",
-      {{"evaluations = 51", [](auto& r) { r.trace[1].evaluations = 51; },
-        "table run, row 2: improvement 1: evaluations is 51"},
-       {"violation = -1.0", [](auto& r) { r.trace[1].true_values.violation = -1; },
-        "violation is -1"},
-       {"violation = 0.75", [](auto& r) { r.trace[1].true_values.violation = 0.75; },
-        "it is no improvement"},
-       {"objective = x'000000000000f87f'",
-        [nan](auto& r) { r.trace[1].true_values.objective = nan; }, "objective is not a number"},
-       {"seconds = 0.0625", [](auto& r) { r.trace[1].seconds = 0.0625; }, "seconds are fewer"}});
+  const std::string step_0 = " WHERE run = 2 AND step = 0", step_1 = " WHERE run = 2 AND step = 1";
+  const std::vector<Forgery<RunRecord>> forgeries = {
+      {"run SET charged = 61", [](auto& r) { r.ledger.charged = 61; },
+       "table run, row 2: charged is 61: must be from 0 to 60"},
+      {"run SET charged = -1", [](auto& r) { r.ledger.charged = -1; }, "charged is -1"},
+      {"run SET refused = -9", [](auto& r) { r.ledger.refused = -9; }, "refused is -9"},
+      {"run SET seconds = -0.25", [](auto& r) { r.ledger.seconds = -0.25; },
+       "seconds is -0.25: must be a time"},
+      {"run SET seconds = 9e999", [](auto& r) { r.ledger.seconds = infinity; }, "seconds is inf"},
+      {"run SET seconds = x'000000000000f87f'", [](auto& r) { r.ledger.seconds = quiet_nan; },
+       "seconds is nan"},
+      {"run SET own_instance = -1", [](auto& r) { r.instance = -1; }, "own_instance is -1"},
+      {"run SET own_run = -4294967296", [](auto& r) { r.run = -1; }, "own_run is -4294967296"},
+      {"run SET returned_violation = -0.5",
+       [](auto& r) { r.returned->true_values.violation = -0.5; }, "returned_violation is -0.5"},
+      {"run SET seconds_allowed = -1.0", [](auto& r) { r.budget.seconds = -1; },
+       "seconds_allowed is -1"},
+      {"improvement SET evaluations = 30" + step_0, [](auto& r) { r.trace[0].evaluations = 30; },
+       "fewer than before"},
+      {"improvement SET evaluations = 51" + step_1, [](auto& r) { r.trace[1].evaluations = 51; },
+       "table run, row 2: improvement 1: evaluations is 51"},
+      {"improvement SET violation = -1.0" + step_1,
+       [](auto& r) { r.trace[1].true_values.violation = -1; }, "violation is -1"},
+      {"improvement SET violation = 0.75" + step_1,
+       [](auto& r) { r.trace[1].true_values.violation = 0.75; }, "it is no improvement"},
+      {"improvement SET objective = x'000000000000f87f'" + step_1,
+       [](auto& r) { r.trace[1].true_values.objective = quiet_nan; }, "objective is not a number"},
+      {"improvement SET seconds = 0.0625" + step_1, [](auto& r) { r.trace[1].seconds = 0.0625; },
+       "seconds are fewer"}};
+  for (const auto& [update, change, words] : forgeries) {
+    RunRecord record = a_strangers_record();
+    change(record);
+    const std::uint64_t sum = checksum(a_key(1), record, repeated(record.terminations));
+    expect_refused_after(fmt::format("UPDATE {}; UPDATE run SET checksum = {} WHERE number = 2",
+                                     update, static_cast<std::int64_t>(sum)),
+                         words);
+    EXPECT_THROW(Store::create(folder_ / "new", a_description()).add(a_key(1), record), InputError);
+    fs::remove(folder_ / "new");
+  }
 }
 
 TEST_F(StrangersStore, StartsNoEndlessReading) {
@@ -186,51 +174,39 @@ TEST_F(StrangersStore, HasNothingBesideItThatIsNoFile) {
   EXPECT_EQ(text_of(mine), "mine");
 }
 
-/// A store's file and its log while it is open.
-struct FileAndLog {
-  explicit FileAndLog(const fs::path& path)
-      : file(path), log(path.string() + "-wal"), open(text_of(file)), written(text_of(log)) {}
-
-  void put(const std::string& bytes_of_log) const {
-    write_file(file, open);
-    write_file(log, bytes_of_log);
-  }
-
-  const fs::path file, log;
-  const std::string open, written;
-};
-
 /// A log that is damaged anywhere but in its last frame is refused, and so is one whose changes
 /// make a damaged store of a whole one; in both cases file and log stay as they are.
-TEST_F(StrangersStore, IsNotChangedByADamagedLog) {
-  const FileAndLog both = [&] {
+TEST_F(StrangersStore, IsNotChangedByALogThatIsDamagedOrDamagesIt) {
+  const fs::path log = file.string() + "-wal";
+  std::string open, written;  // the store and its log while it is open
+  const auto expect_log_refused = [&](const std::string& bytes, const std::string& words) {
+    write_file(file, open);
+    write_file(log, bytes);
+    expect_refused(words, "a log");
+    EXPECT_TRUE(text_of(log) == bytes);
+  };
+  {
     Store writer = adding(file);
     add(writer, std::vector<RunRecord>(6, a_strangers_record()), 3);
-    return FileAndLog(file);
-  }();
-  const std::size_t size = both.written.size();
+    open = text_of(file), written = text_of(log);
+  }
+  const std::size_t size = written.size();
   ASSERT_GT(size, 20'000);
   for (const std::size_t place : {0UL, 12UL, 28UL, 60UL, size / 3, size / 2}) {
-    std::string damaged = both.written;
+    SCOPED_TRACE(place);
+    std::string damaged = written;
     damaged[place] ^= 1;
-    both.put(damaged);
-    expect_refused("runs.sqlite-wal beside it is damaged", std::to_string(place));
-    EXPECT_TRUE(text_of(both.log) == damaged) << place;
+    expect_log_refused(damaged, "runs.sqlite-wal beside it is damaged");
   }
-  both.put(both.written);
+  write_file(log, written);
   EXPECT_EQ(reading(file).size(), 9);
-  EXPECT_FALSE(fs::exists(both.log));
-}
-
-TEST_F(StrangersStore, IsNotChangedByALogThatDamagesIt) {
-  const FileAndLog both = [&] {
+  EXPECT_FALSE(fs::exists(log));
+  {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
     database.exec("PRAGMA journal_mode = WAL; UPDATE run SET seconds = 1e-9 WHERE number = 2");
-    return FileAndLog(file);
-  }();
-  both.put(both.written);
-  expect_refused("table run, row 2: it is not what was added", "a run changed in the log");
-  EXPECT_TRUE(text_of(both.log) == both.written);
+    open = text_of(file), written = text_of(log);
+  }
+  expect_log_refused(written, "table run, row 2: it is not what was added");
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace ricochet::classic {
 
 /// The problem of this name.
 inline Problem named(const std::vector<Problem>& problems, const std::string& name) {
-  const auto found = std::find_if(problems.begin(), problems.end(),
-                                  [&](const Problem& problem) { return problem.name == name; });
+  const auto found = std::ranges::find(problems, name, &Problem::name);
   if (found == problems.end()) throw std::invalid_argument("no problem " + name);
   return *found;
 }
@@ -21,8 +20,8 @@ inline Problem named(const std::vector<Problem>& problems, const std::string& na
 inline std::vector<std::vector<std::string>> lines_published(const std::string& table,
                                                              const std::string& kind) {
   std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : lines_of(
-           text_of(std::filesystem::path(RICOCHET_SOURCE) / "tests/problems/classic" / table))) {
+  for (const std::string& line :
+       lines_of(text_of(fs::path(RICOCHET_SOURCE) / "tests/problems/classic" / table))) {
     if (!line.starts_with(kind)) continue;
     rows.emplace_back();
     std::istringstream cells(line + ",");

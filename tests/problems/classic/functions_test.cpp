@@ -1,6 +1,9 @@
 #include "problems/classic/functions.h"
 
-#include "tests/support/test.h"
+#include <Eigen/QR>
+
+#include "problems/classic/least_squares.h"
+#include "tests/problems/classic/claims.h"
 
 namespace ricochet::classic {
 namespace {
@@ -64,6 +67,10 @@ TEST(Functions, HaveTheValuesWorkedByHand) {
       {branin(), Vector{{-pi, 12.275}}, *branin().best_known},
       {branin(), Vector{{3 * pi, 2.475}}, *branin().best_known},
       {six_hump_camel(), -*six_hump_camel().best_point, *six_hump_camel().best_known, 1e-14},
+      // Near (-1, 1, 1, 1): doi 10.1162/evco.2006.14.1.119.
+      {rosenbrock(4), Vector{{-0.775659, 0.613093, 0.382063, 0.145973}}, 3.7014, 1e-3},
+      {named(least_squares_problems(), "least-squares-13-freudenstein-roth-2x2"),
+       Vector{{11.4127789919, -0.8968052560}}, 48.98425 / 2, 2.5e-6},
   };
   for (const auto& [problem, x, value, tolerance] : all) {
     EXPECT_NEAR(at(problem, x), value, tolerance) << problem.name << ' ' << x.transpose();
@@ -89,9 +96,9 @@ TEST(Functions, AreStationaryAtTheirBestPoints) {
         six_hump_camel()}) {
     EXPECT_LT(problem.differentiate(*problem.best_point).gradient.norm(), 1e-12) << problem.name;
   }
-  // Where a formula has no slope, it is 0.
-  EXPECT_EQ(ackley(2).differentiate(Vector::Zero(2)).gradient, Vector::Zero(2));
-  EXPECT_EQ(schwefel_2_26(2).differentiate(Vector::Zero(2)).gradient, Vector::Zero(2));
+  for (const Problem& problem : {ackley(2), schwefel_2_26(2)}) {  // where the formula has no slope
+    EXPECT_EQ(problem.differentiate(Vector::Zero(2)).gradient, Vector::Zero(2));
+  }
 }
 
 TEST(Functions, OfOneValleyDoNotHaveTheOptimumAtTheCentre) {
@@ -101,12 +108,70 @@ TEST(Functions, OfOneValleyDoNotHaveTheOptimumAtTheCentre) {
   }
 }
 
-TEST(Functions, RosenbrockHasASecondValleyFromFourVariablesOn) {
-  // Close to the published local minimum near (-1, 1, 1, 1): 3.70 for n = 4, doi
-  // 10.1162/evco.2006.14.1.119.
-  const Vector x{{-0.775659, 0.613093, 0.382063, 0.145973}};
-  EXPECT_LT(rosenbrock(4).differentiate(x).gradient.norm(), 1e-2);
-  EXPECT_NEAR(at(rosenbrock(4), x), 3.7014, 1e-3);
+TEST(LeastSquares, HasTheSumsPublishedForStartsAndOptima) {
+  const std::vector<Problem> problems = least_squares_problems();
+  const auto rows = lines_published("published_values.csv", "least-squares-");
+  ASSERT_EQ(problems.size(), rows.size());
+  EXPECT_EQ(rows.size(), 53U);
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    EXPECT_EQ(problems[i].name, rows[i][0]);
+    const double least = std::stod(rows[i][1]), start = std::stod(rows[i][3]);
+    EXPECT_NEAR(2 * problems[i].evaluate(problems[i].start).objective, start, 6e-7 * start)
+        << problems[i].name;
+    const double digits = least < 1e-5 ? 5e-7 : 1e-10;  // 7 are given of the two smallest
+    EXPECT_NEAR(2 * *problems[i].best_known, least, digits * least) << problems[i].name;
+  }
+}
+
+TEST(LeastSquares, IsFiniteAllOverItsBox) {
+  for (const Problem& problem : least_squares_problems()) {
+    Random random(seed_of(problem.name, "finite", 0, 0));
+    for (int i = 0; i < 100; ++i) {
+      // Points of the box thrice as wide, moved into it: mostly corners and edges.
+      const Vector aside = 3 * uniform_point(problem, random) - problem.lower - problem.upper;
+      const Vector x = aside.cwiseMax(problem.lower).cwiseMin(problem.upper);
+      EXPECT_TRUE(std::isfinite(problem.evaluate(x).objective)) << problem.name;
+    }
+  }
+}
+
+TEST(LeastSquares, HasTheJacobianOfDifferences) {
+  for (const Problem& problem : least_squares_problems()) {
+    SCOPED_TRACE(problem.name);
+    Random random(seed_of(problem.name, "residuals", 0, 0));
+    const Vector x = point_near_best(problem, random);
+    const Residuals r = problem.residuals(x);
+    const auto residuals = [&](const Vector& y) { return problem.residuals(y).values; };
+    expect_columns(problem, x, r.jacobian, residuals, 1e-5);
+    const Derivatives d = problem.differentiate(x);
+    EXPECT_EQ(d.values.objective, r.values.squaredNorm() / 2);
+    EXPECT_EQ(d.values.objective, problem.evaluate(x).objective);
+    EXPECT_EQ(d.gradient, r.jacobian.transpose() * r.values);
+  }
+}
+
+TEST(LeastSquares, HasTheOptimumOfLinearAlgebraWhereItIsLinear) {
+  const std::vector<Problem> problems = least_squares_problems();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Residuals r = problems[i].residuals(Vector::Zero(problems[i].dimension()));
+    const auto decomposition = r.jacobian.completeOrthogonalDecomposition();
+    EXPECT_EQ(decomposition.rank(), i < 2 ? 9 : 1);
+    const Vector nearest = decomposition.solve(-r.values);
+    EXPECT_NEAR((r.values + r.jacobian * nearest).squaredNorm() / 2, *problems[i].best_known,
+                1e-12);
+    EXPECT_LT((nearest - *problems[i].best_point).norm(), 1e-12);
+  }
+}
+
+TEST(LeastSquares, IsStationaryAtItsBestPoint) {
+  for (const Problem& problem : least_squares_problems()) {
+    const Residuals r = problem.residuals(*problem.best_point);
+    // The cosine between the residuals and every column, or no residuals.
+    for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
+      const double slope = std::abs(r.jacobian.col(i).dot(r.values));
+      EXPECT_LE(slope, 1e-9 * r.jacobian.col(i).norm() * (r.values.norm() + 1)) << problem.name;
+    }
+  }
 }
 
 }  // namespace

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "src/report/json.h"
 #include "src/report/site/entries.h"
 #include "tests/support/files.h"
@@ -31,7 +28,7 @@ inline FoundReport made_up(const std::string& kind, report::Results results) {
 }
 
 /// Writes the data of a report into a folder of the site.
-inline void keep(const std::filesystem::path& site, const std::string& folder, const Json& data) {
+inline void keep(const fs::path& site, const std::string& folder, const Json& data) {
   write_file(site / folder / "data.json", data.dump());
 }
 

@@ -2,16 +2,10 @@
 #include "src/report/site/machine_page.h"
 #include "src/report/site/navigation.h"
 #include "tests/report/site/made_up_reports.h"
-#include "tests/support/test.h"
 
 /// The site's own pages, and the navigation of all.
 namespace ricochet::site {
 namespace {
-
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
 
 std::vector<std::string> folders_of(const std::vector<Place>& places) {
   std::vector<std::string> folders;
@@ -20,17 +14,16 @@ std::vector<std::string> folders_of(const std::vector<Place>& places) {
 }
 
 TEST(Places, AreInTheOrderOfTheWordsWithTheSitesOwnFirst) {
-  const std::vector<FoundReport> reports = {
-      made_up("verification", Json::object(), "verification"),
-      made_up("comparison", Json::object(), "mine"),
-      made_up("reproduction", Json::object(), "reproduction")};
+  const std::vector<FoundReport> reports = {made_up("verification", {}, "verification"),
+                                            made_up("comparison", {}, "mine"),
+                                            made_up("reproduction", {}, "reproduction")};
   EXPECT_THAT(
       folders_of(places_of(reports, {{"Data", "Cite", "cite"}, {"Machine", "It", "machine"}})),
       ElementsAre("machine", "mine", "verification", "reproduction", "cite"));
 }
 
 TEST(Places, HaveThosePagesOfReportsThatNameAGroup) {
-  FoundReport report = made_up("comparison", Json::object(), "comparison", {"count", "failures"});
+  FoundReport report = made_up("comparison", {}, "comparison", {"count", "failures"});
   report.pages[1].headline = Headline{"", "", "", "Robustness", "Noise"};
   const std::vector<Place> places = places_of({report}, {});
   EXPECT_THAT(folders_of(places), ElementsAre("comparison", "comparison/failures"));
@@ -39,13 +32,13 @@ TEST(Places, HaveThosePagesOfReportsThatNameAGroup) {
 
 TEST(Places, OfEveryKindOfReportHaveAWordOfTheNavigation) {
   for (const report::ReportKind& kind : report::report_kinds()) {
-    EXPECT_EQ(places_of({made_up(kind.name, Json::object(), "x")}, {}).size(), 1U) << kind.name;
+    EXPECT_EQ(places_of({made_up(kind.name, {}, "x")}, {}).size(), 1U) << kind.name;
   }
 }
 
 std::vector<FoundReport> two_reports() {
-  return {made_up("comparison", Json::object(), "comparison", {"count", "top-speed"}),
-          made_up("verification", Json::object(), "small & fine")};
+  return {made_up("comparison", {}, "comparison", {"count", "top-speed"}),
+          made_up("verification", {}, "small & fine")};
 }
 
 std::string links_at(const std::string& here) {
@@ -83,7 +76,7 @@ TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
   for (int times = 0; times < 2; ++times) link_pages(folder_, places);
   EXPECT_EQ(text_of(page),
             "a<!-- navigation -->\n" + navigation(places, "comparison") + "<!-- /navigation -->b");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "small & fine"));
+  EXPECT_FALSE(fs::exists(folder_ / "small & fine"));
 }
 
 using PageMark = TemporaryFolder;
@@ -99,13 +92,15 @@ TEST_F(PageMark, IsWhereTextIsPutAndNotMissedWhereThereIsNone) {
     EXPECT_EQ(text_of(page), after);
   }
   put_at(folder_ / "none.html", "here", "new");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.html"));
+  EXPECT_FALSE(fs::exists(folder_ / "none.html"));
 }
 
 /// The summary of a page that is made of these reports.
-std::string summary(OwnFiles (*page)(const report::Results&),
-                    const std::vector<FoundReport>& reports) {
-  return page(site_results(reports)).files.at("summary.md");
+template <class Page>
+std::string summary(const Page& page, const std::vector<FoundReport>& reports) {
+  const OwnFiles own = page(site_results(reports));
+  EXPECT_THAT(own.failures, IsEmpty());
+  return own.files.at("summary.md");
 }
 
 TEST(CitePage, WithoutAComparisonLeavesItsRunsOut) {
@@ -151,17 +146,11 @@ ricochet::Table three_machines() {
   return table;
 }
 
-std::string machine_summary(const std::vector<FoundReport>& reports) {
-  const auto [files, failures] = machine_page(site_results(reports));
-  EXPECT_TRUE(failures.empty());
-  return files.at("summary.md");
-}
-
 TEST(MachinePage, HasTheSpeedsOfTheLongRun) {
   report::Results cases;
   cases.set("moves", "Much moves it.");
   cases.add(three_machines());
-  EXPECT_THAT(machine_summary({made_up("reproduction", cases)}),
+  EXPECT_THAT(summary(machine_page, {made_up("reproduction", cases)}),
               AllOf(HasSubstr("The paper's 3 machines stay quiet up to 4.0 to 12.0 rad/s (38 to "
                               "115 rpm)"),
                     HasSubstr("| A | 0.1 | 0.4 | 0 | 2.00 | 12.00 | 13 | -8 |"),
@@ -170,7 +159,7 @@ TEST(MachinePage, HasTheSpeedsOfTheLongRun) {
 }
 
 TEST(MachinePage, OfNoReportsSaysHowToDescribeAMachine) {
-  EXPECT_THAT(machine_summary({}),
+  EXPECT_THAT(summary(machine_page, {}),
               AllOf(HasSubstr("./ricochet machine new"), HasSubstr("Top speed in the"),
                     Not(HasSubstr("What moves"))));
 }
@@ -181,8 +170,7 @@ TEST(RegimesChart, HasAColumnForEachMachineAndThePapersThresholds) {
   EXPECT_THAT(chart.x.categories, ElementsAre("A", "B", "C"));
   ASSERT_EQ(chart.areas.size(), 3U);
   ASSERT_EQ(chart.areas[1].parts.size(), 2U) << "C is quiet nowhere";
-  EXPECT_EQ(chart.areas[1].parts[1][0].between.lower, 1.0);
-  EXPECT_EQ(chart.areas[1].parts[1][0].between.upper, 4.0);
+  EXPECT_THAT(chart.areas[1].parts[1][0].between, FieldsAre(1.0, 4.0));
   EXPECT_EQ(chart.areas[2].parts.at(2).at(0).between.lower, 0.0);
   ASSERT_EQ(chart.series.size(), 1U);
   EXPECT_EQ(chart.series[0].samples.size(), 2U) << "B has none";
@@ -191,7 +179,7 @@ TEST(RegimesChart, HasAColumnForEachMachineAndThePapersThresholds) {
 /// What the page says of stiff and soft walls holds in the committed reports.
 TEST(MachinePage, ReadsTheReference) {
   const report::Results site =
-      site_results(found_reports(std::filesystem::path(RICOCHET_SOURCE) / "reports/reference"));
+      site_results(found_reports(fs::path(RICOCHET_SOURCE) / "reports/reference"));
   const ricochet::Table* walls = site.table("simulators-walls");
   ASSERT_TRUE(walls);
   ASSERT_GT(walls->rows.size(), 1U);

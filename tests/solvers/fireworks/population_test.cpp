@@ -6,7 +6,7 @@
 namespace ricochet::fireworks {
 namespace {
 
-using testing::ElementsAre;
+using Worths = std::vector<TrueValues>;
 
 TEST(Population, KeepsPointsAndTheirWorthsInTheirOrder) {
   const Problem problem = limited(7);
@@ -18,18 +18,15 @@ TEST(Population, KeepsPointsAndTheirWorthsInTheirOrder) {
   EXPECT_EQ(population.worth(1).violation, 2);
   EXPECT_EQ(population.worths().size(), 4U);
 
-  const std::vector<Eigen::Index> chosen = {3, 0, 3};
-  population.keep(chosen);
+  population.keep(std::vector<Eigen::Index>{3, 0, 3});
   EXPECT_EQ(population.points(), (Matrix{{1}, {5}, {1}}));
-  EXPECT_THAT(population.worths(), ElementsAre(testing::Field(&TrueValues::objective, -1),
-                                               testing::Field(&TrueValues::objective, -5),
-                                               testing::Field(&TrueValues::objective, -1)));
+  EXPECT_THAT(population.worths(),
+              ElementsAre(FieldsAre(-1, 0), FieldsAre(-5, 0), FieldsAre(-1, 0)));
   population.clear();
   EXPECT_EQ(population.size(), 0);
 }
 
 TEST(Fitness, IsTheObjectiveAndBehindTheWorstFeasiblePointTheViolation) {
-  using Worths = std::vector<TrueValues>;
   EXPECT_EQ(fitness_of(Worths{{3, 0}, {-2, 0}, {7, 0}}), (Vector{{3, -2, 7}}));
   EXPECT_EQ(fitness_of(Worths{{3, 0}, {-100, 0.5}, {7, 0}, {infinity, 2}}),
             (Vector{{3, 7.5, 7, 9}}));
@@ -40,8 +37,8 @@ TEST(Fitness, OfWhatIsNoNumberIsTheWorstThatIsOne) {
   for (const double bad : {quiet_nan, infinity, -infinity, 1e305}) {
     const TrueValues worth = worth_of({bad, {}}, 0);
     EXPECT_EQ(worth.objective, infinity);
-    EXPECT_EQ(fitness_of(std::vector<TrueValues>{{3, 0}, worth, {7, 0}}), (Vector{{3, 7, 7}}));
-    EXPECT_EQ(fitness_of(std::vector<TrueValues>{worth, worth}), (Vector{{0, 0}}));
+    EXPECT_EQ(fitness_of(Worths{{3, 0}, worth, {7, 0}}), (Vector{{3, 7, 7}}));
+    EXPECT_EQ(fitness_of(Worths{worth, worth}), (Vector{{0, 0}}));
     const double violation = worth_of({1, Vector::Constant(1, bad)}, 0).violation;
     EXPECT_EQ(violation, bad == -infinity ? 0 : infinity);
   }
@@ -56,7 +53,7 @@ TEST(Fitness, TakesEquationsByTheirSize) {
 TEST(Fitness, RanksAsTheRulesOfFeasibilityDo) {
   Random random(1);
   for (int trial = 0; trial < 2000; ++trial) {
-    std::vector<TrueValues> worths(6);
+    Worths worths(6);
     for (TrueValues& worth : worths) {
       worth.objective = std::floor(6 * uniform(random)) - 3;
       worth.violation = std::max(0.0, std::floor(6 * uniform(random)) - 2);
@@ -69,8 +66,7 @@ TEST(Fitness, RanksAsTheRulesOfFeasibilityDo) {
     };
     for (Eigen::Index i = 0; i < 6; ++i) {
       for (Eigen::Index j = 0; j < 6; ++j) {
-        const TrueValues a = worths[static_cast<std::size_t>(i)];
-        const TrueValues b = worths[static_cast<std::size_t>(j)];
+        const TrueValues &a = worths.data()[i], &b = worths.data()[j];
         const bool apart = a.violation != b.violation || a.violation == 0;
         const bool must_rank = better(a, b) && usable(a) && usable(b) && apart;
         ASSERT_TRUE(!must_rank || fitness[i] < fitness[j]);
@@ -83,26 +79,22 @@ constexpr int selections = 40000;
 
 TEST(Selection, TakesTheFirstOrAnyOfTheBest) {
   Random random(1);
-  using Worths = std::vector<TrueValues>;
   EXPECT_EQ(best_of(Worths{{5, 0}, {-9, 1}, {2, 0}, {2, 0}}, Ties::first, random), 2);
   EXPECT_EQ(best_of(Worths{{5, 2}, {-9, 3}, {7, 2}}, Ties::first, random), 0) << "least violated";
   const Worths worths = {{2, 0}, {5, 0}, {2, 0}, {2, 1}, {2, 0}};
   std::map<Eigen::Index, double> shares;
-  for (int k = 0; k < selections; ++k) shares[best_of(worths, Ties::any, random)] += 1;
-  for (auto& [index, share] : shares) share /= selections;
+  for (int k = 0; k < selections; ++k) {
+    shares[best_of(worths, Ties::any, random)] += 1.0 / selections;
+  }
   const auto third = testing::DoubleNear(1.0 / 3, 0.01);
   EXPECT_THAT(shares, ElementsAre(testing::Pair(0, third), testing::Pair(2, third),
                                   testing::Pair(4, third)));
 }
 
-TEST(DistanceSums, AreAllOneWhereAllPointsCoincideOrOneIsNoNumber) {
-  const Vector ones = Vector::Ones(3);
-  EXPECT_EQ(distance_sums(Matrix::Constant(3, 1, 0.1)), ones);
-  EXPECT_EQ(distance_sums(Matrix::Constant(3, 2, 7)), ones);
-  EXPECT_EQ(distance_sums(Matrix{{-1e200, 0}, {1e200, 0}}), ones.head(2));
-}
-
-TEST(DistanceSums, AgreeWithTheirDefinition) {
+TEST(DistanceSums, AgreeWithTheirDefinitionButAreOneWhereAllPointsCoincideOrOneIsNoNumber) {
+  EXPECT_EQ(distance_sums(Matrix::Constant(3, 1, 0.1)), Vector::Ones(3));
+  EXPECT_EQ(distance_sums(Matrix::Constant(3, 2, 7)), Vector::Ones(3));
+  EXPECT_EQ(distance_sums(Matrix{{-1e200, 0}, {1e200, 0}}), Vector::Ones(2));
   Random random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::Index n = 1 + trial % 5;
@@ -119,7 +111,7 @@ TEST(DistanceSums, AgreeWithTheirDefinition) {
 class Selected : public testing::Test {
  protected:
   const Matrix points_{{0}, {1}, {3}, {10}};  // whose sums of distances are 14, 12, 12, 26
-  const std::vector<TrueValues> worths_ = {{5, 0}, {4, 0}, {3, 0}, {4, 0}};
+  const Worths worths_ = {{5, 0}, {4, 0}, {3, 0}, {4, 0}};
   Random random_{1};
 
   /// Expects how often each is the one drawn beside the best, number 2.
@@ -149,7 +141,7 @@ TEST_F(Selected, WithoutReplacementHaveTheBestOnlyOnce) {
 
 TEST_F(Selected, NeverLoseTheBest) {
   for (int trial = 0; trial < 1000; ++trial) {
-    std::vector<TrueValues> worths(12);
+    Worths worths(12);
     for (TrueValues& worth : worths) {
       worth = {std::floor(5 * uniform(random_)), std::floor(2 * uniform(random_))};
     }

@@ -4,7 +4,6 @@
 #include "solvers/fireworks/loser_out_fireworks.h"
 #include "solvers/fireworks/partitioned_fireworks.h"
 #include "tests/solvers/solve.h"
-#include "tests/support/test.h"
 
 namespace ricochet::fireworks {
 namespace {
@@ -17,15 +16,6 @@ double seven(const Vector&) {
   return 7;
 }
 
-/// How far from `centre` these points are, at most.
-double reach(const std::vector<Vector>& asked, std::size_t from, std::size_t count, double centre) {
-  double result = 0;
-  for (std::size_t k = from; k < from + count; ++k) {
-    result = std::max(result, (asked[k].array() - centre).abs().maxCoeff());
-  }
-  return result;
-}
-
 /// Expects that the `core` first points of each of forty generations reach from `centre` as far as
 /// an amplitude that falls from 2000 by a tenth each time. Below `inside` no spark leaves the box.
 void expect_decline(const std::vector<Vector>& asked, std::size_t first, std::size_t generation,
@@ -34,7 +24,10 @@ void expect_decline(const std::vector<Vector>& asked, std::size_t first, std::si
   double amplitude = 2000;
   for (std::size_t g = 0; g < 40; ++g, amplitude *= 0.9) {
     if (amplitude >= inside) continue;
-    const double farthest = reach(asked, first + generation * g, core, centre);
+    double farthest = 0;
+    for (std::size_t k = first + generation * g; k < first + generation * g + core; ++k) {
+      farthest = std::max(farthest, (asked[k].array() - centre).abs().maxCoeff());
+    }
     EXPECT_LE(farthest, amplitude * (1 + 1e-12)) << g;
     EXPECT_GT(farthest, share * amplitude) << g;
   }
@@ -160,24 +153,19 @@ TEST(LoserOutFireworks, GuideSeveralSparksBeyondTheMeanOfTheBest) {
   const auto value = [](const Vector& x) { return std::abs(x[0]); };
   const std::vector<Vector> asked = asked_points(
       plain(2, 0, value), loser_out_fireworks("mgfwa", multi_guiding_options()), 5 + 5 * 70, 0);
-  int inside = 0;
-  double least = 2, most = -1;
+  std::vector<double> reached;  // by those that are not redrawn
   for (std::ptrdiff_t i = 0; i < 5; ++i) {
     const Sparks first = asked.begin() + 5 + 70 * i;
     const auto [best, worst] = Fifths(first, value);
     for (Sparks spark = first + 60; spark != first + 70; ++spark) {
       const double times = ((*spark)[1] - best[1]) / (best[1] - worst[1]);
       const double off = (*spark)[0] - best[0] - times * (best[0] - worst[0]);
-      if (std::abs(off) > 1e-6) continue;  // redrawn
-      ++inside;
-      least = std::min(least, times);
-      most = std::max(most, times);
+      if (std::abs(off) <= 1e-6) reached.push_back(times);
     }
   }
-  EXPECT_GE(inside, 10);
-  EXPECT_GE(least, 0);
-  EXPECT_LE(most, 1.5);
-  EXPECT_GT(most - least, 0.3);
+  ASSERT_GE(reached.size(), 10U);
+  EXPECT_THAT(reached, Each(AllOf(testing::Ge(0), testing::Le(1.5))));
+  EXPECT_GT(std::ranges::max(reached) - std::ranges::min(reached), 0.3);
 }
 
 TEST(PartitionedFireworks, ShareTheGapBetweenTheirSurfaces) {

@@ -1,7 +1,6 @@
 #include "solvers/mads.h"
 
 #include "tests/solvers/solve.h"
-#include "tests/support/test.h"
 
 namespace ricochet {
 namespace {
@@ -45,20 +44,26 @@ TEST(PollBasis, IsOrthogonalAndOfIntegersNoLongerThanThePoll) {
 }
 
 TEST(PollBasis, ReflectsTheDirectionItIsGiven) {
-  const Vector direction{{0.3, -0.5, 0.8}};
-  const Vector reflected = poll_basis(direction, 24) * direction;
-  EXPECT_LT((reflected.normalized() + direction.normalized()).norm(), 1e-3);
+  const Vector direction = Vector{{0.3, -0.5, 0.8}}.normalized();
+  EXPECT_LT(((poll_basis(direction, 24) * direction).normalized() + direction).norm(), 1e-3);
   EXPECT_EQ(poll_basis(Vector{{0.6, -0.7}}, 0), (Matrix{{1, 0}, {0, -1}})) << "the coarsest mesh";
 }
 
-/// Vectors that span the space positively: every other one makes an acute angle with one of them.
-TEST(PollDirections, LeadEverywhere) {
+// They span the space positively: every vector makes an acute angle with one of them.
+TEST(PollDirections, LeadEverywhereBeginningAlongTheLeadingOne) {
   Random random(3);
   for (const Eigen::Index n : {1, 2, 4, 9}) {
     for (int draw = 0; draw < 200; ++draw) {
       const Matrix basis = poll_basis(normal(n, random), draw % 20);
-      const auto directions = poll_directions(basis, normal(n, random));
-      EXPECT_EQ(directions.size(), static_cast<std::size_t>(n + 1));
+      const Vector leading = normal(n, random);
+      const auto directions = poll_directions(basis, leading);
+      ASSERT_EQ(directions.size(), static_cast<std::size_t>(n + 1));
+      const std::vector<Vector> first(directions.begin(), directions.end() - 1);
+      const auto against = [&](const Vector& d) { return -d.dot(leading); };
+      EXPECT_TRUE(std::ranges::is_sorted(first, {}, against));
+      EXPECT_LE(against(first.back()), 0);
+      EXPECT_EQ(directions.back(),
+                -std::accumulate(first.begin(), first.end(), Vector::Zero(n).eval()));
       const Vector any = normal(n, random).normalized();
       double nearest = -1;
       for (const Vector& d : directions) nearest = std::max(nearest, any.dot(d.normalized()));
@@ -68,17 +73,6 @@ TEST(PollDirections, LeadEverywhere) {
       EXPECT_GE(nearest, cosine - 1e-12);
     }
   }
-}
-
-TEST(PollDirections, BeginWithThoseAlongTheLeadingOneAndEndWithTheOppositeOfTheirSum) {
-  Random random(4);
-  const Vector leading{{1, 2, -3}};
-  const auto directions = poll_directions(poll_basis(normal(3, random), 6), leading);
-  ASSERT_EQ(directions.size(), 4U);
-  EXPECT_GE(directions[0].dot(leading), directions[1].dot(leading));
-  EXPECT_GE(directions[1].dot(leading), directions[2].dot(leading));
-  EXPECT_GE(directions[2].dot(leading), 0);
-  EXPECT_EQ(directions[3], -(directions[0] + directions[1] + directions[2]));
 }
 
 TEST(ViolationOf, SumsTheSquaresOfWhatIsBroken) {
@@ -116,25 +110,18 @@ TEST(Barrier, TakesALowerFeasiblePointForASuccess) {
   EXPECT_EQ(barrier.feasible()->objective, 4);
 }
 
-/// An infeasible incumbent of objective 5 and violation 4.
-Barrier infeasible_barrier() {
+TEST(Barrier, FallsToTheIncumbentsViolationUnlessThereIsALesserOne) {
   Barrier barrier(false);
   barrier.add(trial(5, 4));
   barrier.settle(Progress::none);
-  return barrier;
-}
-
-TEST(Barrier, JudgesInfeasiblePointsByBothMeasures) {
-  EXPECT_EQ(infeasible_barrier().add(trial(4, 4)), Progress::dominating);
-  EXPECT_EQ(infeasible_barrier().add(trial(5, 3)), Progress::dominating);
-  EXPECT_EQ(infeasible_barrier().add(trial(6, 3)), Progress::improving);
-  EXPECT_EQ(infeasible_barrier().add(trial(4, 5)), Progress::none);
-  EXPECT_EQ(infeasible_barrier().add(trial(5, 4)), Progress::none);
-}
-
-TEST(Barrier, FallsToTheIncumbentsViolationUnlessThereIsALesserOne) {
-  Barrier barrier = infeasible_barrier();
   EXPECT_EQ(barrier.limit(), infinity);
+  for (const auto& [judged, progress] : {std::pair(trial(4, 4), Progress::dominating),
+                                         {trial(5, 3), Progress::dominating},
+                                         {trial(6, 3), Progress::improving},
+                                         {trial(4, 5), Progress::none},
+                                         {trial(5, 4), Progress::none}}) {
+    EXPECT_EQ(Barrier(barrier).add(judged), progress);
+  }
   barrier.add(trial(4, 9));
   barrier.settle(Progress::none);
   EXPECT_EQ(barrier.limit(), 4);
@@ -170,10 +157,8 @@ TEST(Barrier, DoesNotTakeWhatIsNoNumber) {
   EXPECT_FALSE(barrier.infeasible());
 }
 
-class Mads : public testing::TestWithParam<Settings> {
+class Mads : public OfSolver {
  protected:
-  Solver solver() const { return mads(GetParam()); }
-
   /// The objective of the feasible point where one call of solve ends.
   double settled(const Problem& problem, std::uint64_t seed = 1) const {
     const Solved end = solved(problem, solver(), 50'000, seed);
@@ -205,36 +190,31 @@ TEST_P(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
 }
 
 TEST_P(Mads, FindsPointsOnAnArc) {
-  if (GetParam() == Settings::tuned) GTEST_SKIP() << "it stops when polls are at 1e-4 of the box";
+  if (solver().name == "mads-tuned") GTEST_SKIP() << "it stops when polls are at 1e-4 of the box";
   int found = 0, good = 0;
   for (int number = 0; number < 10; ++number) {
     const TrueValues end = best_of(run(arc(), solver(), {5000}, number));
-    found += end.violation == 0 ? 1 : 0;
-    good += end.violation == 0 && end.objective <= -1 ? 1 : 0;
+    found += end.violation == 0;
+    good += end.violation == 0 && end.objective <= -1;
   }
   EXPECT_GE(found, 6) << "an equation to 1e-6";
   EXPECT_GE(good, 3);
 }
 
-/// The largest x + y on [0, 10]^2 at which a count, floor(x) + floor(2 y), is at most 7. With a
-/// first part of a it is below (a + 1) + (8 - a) / 2, which is most, 8.5, next to (8, 1/2).
-Problem steps() {
-  Problem problem = box_problem("steps", 2, 0, 10, 9, [](const Vector& x) { return -x.sum(); });
-  problem.constraints = 1;
-  problem.best_known = -8.5;
-  problem.evaluate = [](const Vector& x) {
+// The largest x + y on [0, 10]^2 at which a count, floor(x) + floor(2 y), is at most 7. With a
+// first part of a it is below (a + 1) + (8 - a) / 2, which is most, 8.5, next to (8, 1/2).
+TEST_P(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
+  Problem steps = box_problem("steps", 2, 0, 10, 9, [](const Vector&) { return 0.0; });
+  steps.constraints = 1;
+  steps.evaluate = [](const Vector& x) {
     return Values{-x.sum(), Vector::Constant(1, std::floor(x[0]) + std::floor(2 * x[1]) - 7)};
   };
-  return problem;
-}
-
-TEST_P(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
-  const TrueValues end = best_of(run(steps(), solver(), {2000}, 0));
+  const TrueValues end = best_of(run(steps, solver(), {2000}, 0));
   EXPECT_EQ(end.violation, 0);
   EXPECT_NEAR(end.objective, -8.5, 0.01);
 }
 
-TEST_P(Mads, AsksForNoPointTwiceFromOneStart) {
+TEST_P(Mads, AsksForNoPointTwiceFromOneStartAndEndsOnAPlateauSoon) {
   for (const Problem& problem : {sphere(1, 3), plateau(2)}) {
     const std::vector<Vector> asked = asked_by_a_start(problem, solver(), 50'000, 1);
     EXPECT_GT(asked.size(), 10U);
@@ -242,26 +222,11 @@ TEST_P(Mads, AsksForNoPointTwiceFromOneStart) {
       EXPECT_EQ(std::count(asked.begin(), asked.end(), x), 1) << x.transpose();
     }
   }
+  EXPECT_GT(run(plateau(2), solver(), {1000}, 0).terminations.size(), 10U);
 }
 
-TEST_P(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
-  const RunRecord record = run(plateau(2), solver(), {1000}, 0);
-  EXPECT_GT(record.terminations.size(), 10U);
-  EXPECT_EQ(record.terminations.front().reason, "the mesh is fine");
-}
-
-TEST_P(Mads, SpendsItsBudgetToTheLastEvaluation) {
-  for (std::int64_t budget = 0; budget < 60; ++budget) {
-    const Solved end = solved(disc(), solver(), budget, 1);
-    EXPECT_EQ(end.reason, "stopped by the evaluator");
-    EXPECT_EQ(end.ledger.charged, budget);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(With, Mads, testing::Values(Settings::own, Settings::tuned),
-                         [](const auto& tested) {
-                           return tested.param == Settings::own ? "OwnSettings" : "TunedSettings";
-                         });
+INSTANTIATE_TEST_SUITE_P(Of, Mads, testing::Values(mads(Settings::own), mads(Settings::tuned)),
+                         by_solver);
 
 }  // namespace
 }  // namespace ricochet

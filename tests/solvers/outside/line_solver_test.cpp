@@ -3,23 +3,17 @@
 #include <future>
 
 #include "tests/solvers/solve.h"
-#include "tests/support/test.h"
 
 namespace ricochet::outside {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string talker = RICOCHET_FOLDER "/talker";
 
 /// A script that greets, and then does what its lines say; `say` writes a line, `hear` reads one,
 /// and `note` reads one that heard() tells. `ask` asks for a point.
-class Speaker {
- public:
-  explicit Speaker(const std::string& lines, const std::string& greeting = R"({"name": "mine"})")
-      : command("sh " + (folder_ / "script.sh").string()) {
-    write_file(folder_ / "script.sh", "HERE=" + folder_.string() + R"(
+struct Speaker {
+  explicit Speaker(const std::string& lines, const std::string& greeting = R"({"name": "mine"})") {
+    write_file(folder / "script.sh", "HERE=" + folder.string() + R"(
 say() { echo "$1"; }
 hear() { read -r heard; }
 note() { hear; say "$heard" >> $HERE/heard; }
@@ -27,18 +21,15 @@ ask() { say '{"ask": [1, 2]}'; hear; }
 say ')" + greeting + "'\n" + lines + "\n");
   }
 
-  std::string heard() const { return text_of(folder_ / "heard"); }
+  std::string heard() const { return text_of(folder / "heard"); }
   Solver solver() const { return line_solver(command); }
 
- private:
-  std::filesystem::path folder_ = fresh_folder();
-
- public:
-  const std::string command;
+  const fs::path folder = fresh_folder();
+  const std::string command = "sh " + (folder / "script.sh").string();
 };
 
-RunRecord run_of(const std::string& lines, std::int64_t evaluations) {
-  return run(sphere(2, 3), Speaker(lines).solver(), {evaluations}, 0);
+RunRecord run_of(const Speaker& speaker, std::int64_t evaluations = 20) {
+  return run(sphere(2, 3), speaker.solver(), {evaluations}, 0);
 }
 
 TEST(LineSolver, IsWhatTheProgramSaysItIs) {
@@ -102,12 +93,12 @@ say '{"done": "all asked"}')",
 }
 
 TEST(LineSolver, SeesWhatIsNoNumberAsNull) {
-  const Speaker speaker(R"(hear; say '{"ask": [1, 2]}'; note; say '{"done": "seen"}')");
-  run(never_a_number(2), speaker.solver(), {2}, 0);
-  EXPECT_EQ(speaker.heard(),
-            "{\"objective\":null,\"constraints\":[],\"remaining\":1}\n"
-            "{\"objective\":null,\"constraints\":[],\"remaining\":0}\n"
-            "{\"stop\":true}\n");
+  const Speaker speaker(
+      R"(hear; say '{"ask": [[1, 2]]}'; note; say '{"ask": [[70, 2], [1, 2]]}'; note)");
+  run(half_a_number(), speaker.solver(), {3}, 0);
+  EXPECT_EQ(speaker.heard(), R"({"objective":[5.0],"constraints":[[]],"remaining":2}
+{"objective":[null,5.0],"constraints":[[],[]],"remaining":0}
+)");
 }
 
 TEST(LineSolver, MakesTheSameRunAgain) {
@@ -157,7 +148,7 @@ TEST(LineSolver, ServesStartAfterStartWithOneProgram) {
     const Speaker speaker(std::string("echo s >> $HERE/heard; while hear; do ask; "
                                       "say '{\"done\": \"one asked\"}'; ") +
                           rest + " done");
-    const RunRecord record = run(sphere(2, 3), speaker.solver(), {5}, 0);
+    const RunRecord record = run_of(speaker, 5);
     EXPECT_EQ(record.failure, "");
     EXPECT_EQ(record.terminations.size(), 6U);
     EXPECT_EQ(speaker.heard(), starts) << "one that ends is started anew";
@@ -177,10 +168,9 @@ TEST(LineSolver, MayEndWhenItIsToldToStop) {
 }
 
 TEST(LineSolver, HandsOverWhatItSays) {
-  const RunRecord record = run_of(
-      "hear; say '{\"ask\": [3, 4]}'; hear; say '{\"done\": \"found\", \"point\": [3, 3.5]}'; "
-      "hear; exit",
-      1);
+  const RunRecord record = run_of(Speaker(R"(hear; say '{"ask": [3, 4]}'; hear
+say '{"done": "found", "point": [3, 3.5]}'; hear)"),
+                                  1);
   EXPECT_EQ(record.returned->x, (Vector{{3, 3.5}}));
   EXPECT_EQ(record.returned->true_values.objective, 0.25);
   EXPECT_EQ(reasons_of(record).front(), "found");
@@ -189,17 +179,17 @@ TEST(LineSolver, HandsOverWhatItSays) {
 /// What a run of a script on the plane is said to have failed with, after its command.
 std::string failure_of(const std::string& lines) {
   const Speaker speaker(lines);
-  const RunRecord record = run(sphere(2, 3), speaker.solver(), {20}, 0);
-  EXPECT_THAT(record.failure, testing::StartsWith(speaker.command + ": "));
+  const RunRecord record = run_of(speaker);
+  EXPECT_THAT(record.failure, StartsWith(speaker.command + ": "));
   EXPECT_TRUE(record.terminations.empty()) << lines;
   return record.failure.substr(std::min(record.failure.size(), speaker.command.size() + 2));
 }
 
 TEST(LineSolver, FailsWhereTheRulesAreBroken) {
+  const char* no_json = " is no JSON (what is for people to read belongs on standard error)";
   const std::pair<const char*, const char*> failures[] = {
-      {"hello", " is no JSON (what is for people to read belongs on standard error)"},
-      {R"({"ask": [1, NaN]})",
-       " is no JSON (what is for people to read belongs on standard error)"},
+      {"hello", no_json},
+      {R"({"ask": [1, NaN]})", no_json},
       {"[1, 2]", " is no JSON object"},
       {"{}", R"( has neither "ask" nor "done")"},
       {R"({"ask": [1]})", " ask must have 2 numbers"},
@@ -213,9 +203,7 @@ TEST(LineSolver, FailsWhereTheRulesAreBroken) {
     EXPECT_EQ(failure_of(std::string("hear; ask; say '") + line + "'"), "output line 3" + end);
   }
   EXPECT_THAT(failure_of("hear; say \"$(head -c 200 /dev/zero | tr '\\0' x)\""),
-              testing::EndsWith("xxx..."));
-  EXPECT_THAT(failure_of("hear; head -c 100000000 /dev/zero"),
-              HasSubstr("a line of more than 4 MiB"));
+              EndsWith("xxx..."));
 }
 
 TEST(LineSolver, FailsWhereTheProgramEndsOrGoesOnForever) {
@@ -231,9 +219,9 @@ TEST(LineSolver, FailsWhereTheProgramEndsOrGoesOnForever) {
 
 TEST(LineSolver, FailsWhereItSpeaksOutOfTurnAndDoesNotGoOn) {
   const RunRecord record =
-      run_of("while hear; do ask; say '{\"done\": \"\"}\n{\"done\": \"\"}'; done", 20);
-  EXPECT_THAT(record.failure, testing::EndsWith(": spoke after output line 3, when it was done"));
-  EXPECT_EQ(run_of("while hear; do say '{}'; done", 20).ledger.charged, 0);
+      run_of(Speaker("while hear; do ask; say '{\"done\": \"\"}\n{\"done\": \"\"}'; done"));
+  EXPECT_THAT(record.failure, EndsWith(": spoke after output line 3, when it was done"));
+  EXPECT_EQ(run_of(Speaker("while hear; do say '{}'; done")).ledger.charged, 0);
 }
 
 TEST(LineSolver, IsRefusedWhereItDoesNotGreet) {
@@ -244,8 +232,8 @@ TEST(LineSolver, IsRefusedWhereItDoesNotGreet) {
        {"echo hello", "output line 1 is no JSON"},
        {"echo '{\"nam\": \"mine\"}'", "knows no \"nam\"; did you mean name?"},
        {"echo '{}'", "name \"\"; allowed are"},
-       {"echo '{\"name\": \"a b\"}'", "name \"a b\"; allowed are"},
-       {"echo '{\"name\": \"a\", \"takes_constraints\": 3}'", "takes_constraints 3"},
+       {"echo '{\"name\": \"a\", \"takes_constraints\": 3}'",
+        "takes_constraints 3; allowed are 0, 1"},
        {"echo '{\"name\": \"a\", \"takes_constraints\": true}'", "is no whole number"},
        {"echo one | cat", "is not one program with its arguments"},
        {"echo 'one", "is not one program with its arguments"},

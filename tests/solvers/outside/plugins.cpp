@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -21,22 +22,7 @@
 
 namespace {
 
-enum Library {
-  aborts_on_load,
-  asks_from_threads,
-  bad_name,
-  changes_floating_point,
-  hangs_on_load,
-  keeps_its_start,
-  of_another_interface,
-  takes_constraints,
-  throws,
-  widens_its_box,
-  without_a_solver,
-  without_solve
-};
-
-constexpr Library library = PLUGIN;
+constexpr std::string_view library = NAME_OF(PLUGIN);
 
 /// Changes the floating-point environment: how and when the environment variables CHANGE and WHEN
 /// say.
@@ -54,9 +40,9 @@ void change(const char* when) {
 }
 
 [[gnu::constructor]] void on_load() {
-  if (library == aborts_on_load) std::abort();
-  while (library == hangs_on_load) pause();
-  if (library == changes_floating_point) change("loading");
+  if (library == "aborts_on_load") std::abort();
+  while (library == "hangs_on_load") pause();
+  if (library == "changes_floating_point") change("loading");
 }
 
 /// Asks for points that no rounding changes.
@@ -133,38 +119,29 @@ const char* widen_the_box(ricochet_problem* problem, double* point) {
 }
 
 const char* solve(ricochet_problem* problem, double* point) {
-  switch (library) {
-    case changes_floating_point:
-      return change_floating_point(problem, point);
-    case asks_from_threads:
-      return ask_from_threads(problem, point);
-    case keeps_its_start:
-      return keep_the_start(problem, point);
-    case takes_constraints:
-      return go_to_the_constraint(problem, point);
-    case widens_its_box:
-      return widen_the_box(problem, point);
-    case throws:
-      problem->values(problem, point, nullptr, nullptr);
-      throw std::runtime_error("lost its way");
-    default:
-      return "done";
-  }
+  if (library == "changes_floating_point") return change_floating_point(problem, point);
+  if (library == "asks_from_threads") return ask_from_threads(problem, point);
+  if (library == "keeps_its_start") return keep_the_start(problem, point);
+  if (library == "takes_constraints") return go_to_the_constraint(problem, point);
+  if (library == "widens_its_box") return widen_the_box(problem, point);
+  if (library != "throws") return "done";
+  problem->values(problem, point, nullptr, nullptr);
+  throw std::runtime_error("lost its way");
 }
 
 }  // namespace
 
 // For without_a_solver this is compiled under another name.
 extern "C" const ricochet_solver ricochet_plugin = {
-    library == of_another_interface ? RICOCHET_ABI + 1 : RICOCHET_ABI,
-    library == bad_name          ? reinterpret_cast<const char*>(std::uintptr_t{16})
-    : library == keeps_its_start ? nullptr
-                                 : NAME_OF(PLUGIN),
-    library == keeps_its_start ? nullptr : "1",
-    library == throws              ? 2
-    : library == takes_constraints ? 1
-                                   : 0,
-    library == takes_constraints,
+    library == "of_another_interface" ? RICOCHET_ABI + 1 : RICOCHET_ABI,
+    library == "bad_name"          ? reinterpret_cast<const char*>(std::uintptr_t{16})
+    : library == "keeps_its_start" ? nullptr
+                                   : NAME_OF(PLUGIN),
+    library == "keeps_its_start" ? nullptr : "1",
+    library == "throws"              ? 2
+    : library == "takes_constraints" ? 1
+                                     : 0,
+    library == "takes_constraints",
     0,
     0,
-    library == without_solve ? nullptr : solve};
+    library == "without_solve" ? nullptr : solve};

@@ -18,9 +18,6 @@ namespace ricochet::studies::best_values {
 namespace {
 
 using namespace carrier_track;
-using testing::ElementsAre;
-using testing::FieldsAre;
-using testing::HasSubstr;
 
 /// (x - 1)^2 + (y - 2)^2, at most 1 in x + y: 2 at (0, 1); with derivatives.
 Problem cut_bowl() {
@@ -36,10 +33,6 @@ Problem cut_bowl() {
   };
   problem.penalty_weight = 10;
   return problem;
-}
-
-std::vector<Problem> problems() {
-  return {falling_stairs(), two_stretches()};
 }
 
 TEST(BestValues, MatchesByPartsAndByPatterns) {
@@ -70,43 +63,41 @@ TEST(BestValues, AreProvenWhereACompleteScanLeavesNothingBetter) {
 
 class BestValueFile : public TemporaryFolder {
  protected:
-  static BestValues read(const std::filesystem::path& from) {
-    return parse_best_values(text_of(from), "file");
-  }
+  static BestValues read(const fs::path& from) { return parse_best_values(text_of(from), "file"); }
   BestKnown stairs() const { return read(file).of.at("stairs"); }
 
   Outcome find(const std::string& pattern = "") const {
-    return find_best_values(problems(), {pattern}, file);
+    return find_best_values(problems, {pattern}, file);
   }
 
-  const std::filesystem::path file = folder_ / "best.toml";
-  const std::filesystem::path part = folder_ / "best.toml.part";
+  const fs::path file = folder_ / "best.toml";
+  const fs::path part = folder_ / "best.toml.part";
+  std::vector<Problem> problems = {falling_stairs(), two_stretches()};
 };
 
 TEST_F(BestValueFile, HasTheBestValuesAndLeavesNothingElse) {
   EXPECT_THAT(find(), FieldsAre(2U, 2U, 2U, 0U));
   EXPECT_EQ(stairs().value, -3);
   EXPECT_EQ(read(file).machine, default_machine_hash());
-  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_FALSE(fs::exists(part));
 }
 
 TEST_F(BestValueFile, GoesOnWhereItWasStopped) {
   find("stairs");
-  std::filesystem::rename(file, part);  // as if it had been stopped then
-  std::vector<Problem> all = problems();
+  fs::rename(file, part);  // as if it had been stopped then
   int evaluations = 0;
-  all[0].evaluate = [&, evaluate = all[0].evaluate](const Vector& x) {
+  problems[0].evaluate = [&, evaluate = problems[0].evaluate](const Vector& x) {
     ++evaluations;
     return evaluate(x);
   };
-  EXPECT_EQ(find_best_values(all, {}, file).finished, 2U);
+  EXPECT_EQ(find().finished, 2U);
   EXPECT_EQ(stairs().value, -3);
   EXPECT_LE(evaluations, 2) << "looked at, but not looked for again";
 }
 
 TEST_F(BestValueFile, KeepsWhatACallForOthersHasFinished) {
   find("stairs");
-  std::filesystem::rename(file, part);
+  fs::rename(file, part);
   find("stretches");
   EXPECT_EQ(read(part).of.count("stairs"), 1U);
   EXPECT_EQ(read(part).of.count("stretches"), 0U);
@@ -115,10 +106,9 @@ TEST_F(BestValueFile, KeepsWhatACallForOthersHasFinished) {
 TEST_F(BestValueFile, LooksAgainForWhatWasChanged) {
   find();
   const std::string whole = text_of(file);
+  fs::remove(file);
   std::string changed = whole;
-  changed.replace(changed.find("value = -3.0"), 12, "value = -99.0");
-  std::filesystem::remove(file);
-  write_file(part, changed);
+  write_file(part, changed.replace(changed.find("value = -3.0"), 12, "value = -99.0"));
   find();
   EXPECT_EQ(text_of(file), whole);
 }
@@ -126,29 +116,28 @@ TEST_F(BestValueFile, LooksAgainForWhatWasChanged) {
 TEST_F(BestValueFile, BeginsNothingWithoutTime) {
   Plan plan;
   plan.seconds = -1;
-  EXPECT_EQ(find_best_values(problems(), plan, file).finished, 0U);
-  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(find_best_values(problems, plan, file).finished, 0U);
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST_F(BestValueFile, NeverReplacesABetterValueByAWorseOne) {
-  std::vector<Problem> known = problems();
-  known[0].scan_step = 0.3;  // misses the best stair
-  known[0].best_point = Vector::Constant(1, 2.003);
-  known[0].best_known = -3;
-  known[0].provenance = "by hand";
-  EXPECT_EQ(find_best_values(known, {}, file).improved, 1U);
+  problems[0].scan_step = 0.3;  // misses the best stair
+  problems[0].best_point = Vector::Constant(1, 2.003);
+  problems[0].best_known = -3;
+  problems[0].provenance = "by hand";
+  EXPECT_EQ(find().improved, 1U);
   EXPECT_EQ(stairs().provenance, "by hand");
+  problems[0] = falling_stairs();
   find();  // And once more from the file.
   EXPECT_EQ(stairs().provenance, "by hand");
 }
 
 /// A value is worth what it is worth today.
 TEST_F(BestValueFile, ForgetsAValueThatDoesNotComeOutAgain) {
-  std::vector<Problem> known = problems();
-  known[0].best_point = Vector::Constant(1, 3.0);
-  known[0].best_known = -100;
-  known[0].provenance = "of another interpretation";
-  find_best_values(known, {}, file);
+  problems[0].best_point = Vector::Constant(1, 3.0);
+  problems[0].best_known = -100;
+  problems[0].provenance = "of another interpretation";
+  find();
   EXPECT_EQ(stairs().value, -3);
 }
 
@@ -156,48 +145,46 @@ TEST_F(BestValueFile, IsNotWrittenForNothingNorOverWhatIsOfAnotherMachineOrNone)
   EXPECT_THROW(find("nothing"), InputError);
   write_file(part, write_best_values({"sideways", {}}));
   EXPECT_THROW(find(), InputError);
-  std::filesystem::remove(part);
+  fs::remove(part);
   write_file(file, "no values");
   EXPECT_THROW(find(), InputError);
 }
 
 class StoredValues : public BestValueFile {
  protected:
-  const std::filesystem::path store = folder_ / "runs.sqlite";
-
-  /// A problem with a best value that is not the best.
-  static Problem problem() {
-    Problem bowl = cut_bowl();
-    bowl.best_known = 5;
-    bowl.best_point = Vector::Zero(2);
-    bowl.provenance = "by hand";
-    return bowl;
+  StoredValues() {
+    problem.best_known = 5;  // not the best
+    problem.best_point = Vector::Zero(2);
+    problem.provenance = "by hand";
   }
 
   /// How many values are better in a store of one run on an instance, whose best point is, as
   /// stated, x.
   std::size_t taken(int number, const Vector& x) const {
     CampaignDescription description;
-    description.problems = {{problem().name, "bowls", "", 2, 1, 0, 1e-6, 5, {}}};
+    description.problems = {{problem.name, "bowls", "", 2, 1, 0, 1e-6, 5, {}}};
     description.solvers = {{"guess", "1"}};
-    const Problem moved = instance(problem(), number);
-    const Vector from = stated_point(problem(), number, moved.lower);
-    const Vector to = stated_point(problem(), number, moved.upper);
+    const Problem moved = instance(problem, number);
+    const Vector from = stated_point(problem, number, moved.lower);
+    const Vector to = stated_point(problem, number, moved.upper);
     const Vector share = (x - from).cwiseQuotient(to - from);
     const Vector point = moved.lower + share.cwiseProduct(moved.upper - moved.lower);
     RunRecord record;
-    record.problem = problem().name;
+    record.problem = problem.name;
     record.solver = "guess";
     record.instance = number;
     record.seed = 7;
     record.budget.evaluations = 100;
     record.ledger.charged = 42;
     record.trace = {{42, 0, true_values_at(moved, point), point}};
-    std::filesystem::remove(store);
+    fs::remove(store);
     Store::create(store, description)
-        .add({{problem().name, "original", "plain", "guess", 50}, number, 0}, record);
-    return take_stored_values({problem()}, store, file);
+        .add({{problem.name, "original", "plain", "guess", 50}, number, 0}, record);
+    return take_stored_values({problem}, store, file);
   }
+
+  const fs::path store = folder_ / "runs.sqlite";
+  Problem problem = cut_bowl();
 };
 
 TEST_F(StoredValues, AreTakenInTheProblemAsStatedIfTheyAreBetter) {
@@ -207,15 +194,15 @@ TEST_F(StoredValues, AreTakenInTheProblemAsStatedIfTheyAreBetter) {
   EXPECT_LT((best.point - x).norm(), 1e-12);
   EXPECT_NEAR(best.value, 0.75 * 0.75 + 1.5 * 1.5, 1e-12);
   EXPECT_EQ(best.provenance, "guess, seed 7, 42 of 100 evaluations");
-  EXPECT_EQ(take_stored_values({problem()}, store, file), 0U);
+  EXPECT_EQ(take_stored_values({problem}, store, file), 0U);
 }
 
 TEST_F(StoredValues, OfInfeasibleOrHardlyBetterPointsAreLeft) {
   EXPECT_EQ(taken(2, Vector{{1, 2}}), 0U) << "0, but infeasible";
   EXPECT_EQ(taken(2, Vector{{-2, -2}}), 0U) << "worse";
   EXPECT_EQ(taken(2, Vector::Constant(2, 1e-8)), 0U) << "within the tolerance: not worth a hash";
-  EXPECT_FALSE(std::filesystem::exists(file));
-  EXPECT_THROW(take_stored_values({problem()}, folder_ / "no.sqlite", file), InputError);
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_THROW(take_stored_values({problem}, folder_ / "no.sqlite", file), InputError);
 }
 
 TEST(Search, OfSeveralVariablesFindsTheConstrainedOptimumAgain) {
@@ -243,20 +230,16 @@ Problem steps() {
   return steps;
 }
 
-TEST(Search, ImprovesOnTheSurrogateToo) {
+TEST(Search, EndsWhereTwoAgreeAndSaysSoAndImprovesOnTheSurrogateToo) {
   Problem problem = steps();
   std::set<double> smoothings;
   problem.smoothed = [&smoothings, smooth = problem](double smoothing) {
     smoothings.insert(smoothing);
     return smooth;
   };
-  best_of(problem, Effort{50});
-  EXPECT_TRUE(smoothings.contains(0.3));
-}
-
-TEST(Search, EndsWhereTwoAgreeAndSaysSo) {
-  EXPECT_THAT(best_of(steps(), Effort{200}).provenance,
+  EXPECT_THAT(best_of(problem, Effort{200}).provenance,
               HasSubstr("; 2 of 2 searches of 400 evaluations"));
+  EXPECT_TRUE(smoothings.contains(0.3));
 }
 
 TEST(Search, KeepsABestPointThatNoSearchFinds) {
@@ -287,24 +270,24 @@ std::pair<double, int> look_everywhere(const Machine& machine, double step) {
 }
 
 TEST(HardSearch, DrawsTheSameMachineAgain) {
-  const Machine machine = random_machine(default_machine(), "C9", 7);
+  const auto drawn = [](int draw) { return random_machine(default_machine(), "C9", draw); };
+  const Machine machine = drawn(7);
   EXPECT_NO_THROW(check(machine.scene, "random"));
-  EXPECT_EQ(write_scene(machine.scene),
-            write_scene(random_machine(default_machine(), "C9", 7).scene));
-  EXPECT_NE(write_scene(machine.scene),
-            write_scene(random_machine(default_machine(), "C9", 8).scene));
+  EXPECT_EQ(write_scene(machine.scene), write_scene(drawn(7).scene));
+  EXPECT_NE(write_scene(machine.scene), write_scene(drawn(8).scene));
   EXPECT_EQ(machine.quiet_limit, quiet_limit(quiet_count(machine.scene, Claim{}, ScanOptions{})));
 }
 
 /// The file is of these draws; std::pow may round its last digit otherwise elsewhere.
 TEST(HardSearch, DrewTheMachinesOfTheFile) {
   for (const HardMachine& hard : hard_machines()) {
+    SCOPED_TRACE(hard.machine.id);
     const Machine drawn = random_machine(found_hard_machines().constants, hard.around, hard.draw);
     const Scene& scene = hard.machine.scene;
-    EXPECT_EQ(drawn.quiet_limit, hard.machine.quiet_limit) << hard.machine.id;
-    EXPECT_NEAR(drawn.scene.mass, scene.mass, 1e-12 * scene.mass) << hard.machine.id;
-    EXPECT_NEAR(drawn.scene.disturbance, scene.disturbance, 1e-10) << hard.machine.id;
-    EXPECT_NEAR(drawn.scene.phase, scene.phase, 1e-12) << hard.machine.id;
+    EXPECT_EQ(drawn.quiet_limit, hard.machine.quiet_limit);
+    EXPECT_NEAR(drawn.scene.mass, scene.mass, 1e-12 * scene.mass);
+    EXPECT_NEAR(drawn.scene.disturbance, scene.disturbance, 1e-10);
+    EXPECT_NEAR(drawn.scene.phase, scene.phase, 1e-12);
   }
 }
 

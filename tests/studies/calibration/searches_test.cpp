@@ -12,13 +12,11 @@
 #include "tests/support/files.h"
 #include "tests/support/numbers.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies::calibration {
 namespace {
 
 using namespace carrier_track;
-using testing::HasSubstr;
 
 Fit fit_of(const Fit& start, const Search& search) {
   return Searches(fresh_file(), some_provenance()).fits({start}, search).at(0);
@@ -63,8 +61,8 @@ TEST(Searches, PolishWithoutTheGlobalSolver) {
   EXPECT_LE(polished.at(0).loss, loss(start));
   const Store store = Store::open(file, Store::For::reading);
   EXPECT_THAT(store.description().solvers,
-              testing::ElementsAre(testing::Field(&StoredSolver::name, ceres_least_squares().name),
-                                   testing::Field(&StoredSolver::name, "nlopt-sbplx")));
+              ElementsAre(testing::Field(&StoredSolver::name, ceres_least_squares().name),
+                          testing::Field(&StoredSolver::name, "nlopt-sbplx")));
 }
 
 TEST(Searches, FromRandomPointsEndElsewhereWithEverySeed) {
@@ -97,7 +95,7 @@ TEST(Searches, AreMadeOnceWhateverIsAskedForMeanwhile) {
   EXPECT_EQ(found[1].constants, found[2].constants);
   const std::string digest = Store::open(file, Store::For::reading).digest();
   EXPECT_EQ(Store::open(file, Store::For::reading).size(), 3 * 3);
-  const auto written = std::filesystem::last_write_time(file);
+  const auto written = fs::last_write_time(file);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   Searches again(file, some_provenance());
   const std::vector<Fit> same = again.fits(starts, some_search(6));
@@ -105,7 +103,7 @@ TEST(Searches, AreMadeOnceWhateverIsAskedForMeanwhile) {
     EXPECT_EQ(same[i].constants, found[i].constants);
     EXPECT_EQ(same[i].loss, found[i].loss);
   }
-  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+  EXPECT_EQ(fs::last_write_time(file), written);
   again.fits(starts, some_search(12));
   EXPECT_GT(Store::open(file, Store::For::reading).size(), 3 * 3);
   EXPECT_NE(Store::open(file, Store::For::reading).digest(), digest);
@@ -125,7 +123,7 @@ TEST(Searches, RefuseRunsOfAnotherProgramOrSolverAndAFileOfSomethingElse) {
   EXPECT_THAT(complaint({{{"version", "another"}}, {}}, some_search(6)),
               HasSubstr("runs.sqlite: is of another program"));
   EXPECT_THAT(complaint(own, other_solver), HasSubstr("runs.sqlite: is of another nlopt-sbplx"));
-  std::filesystem::remove(file);
+  fs::remove(file);
   write_file(file, "mine");
   EXPECT_THAT(complaint(own, some_search(6)), HasSubstr("runs.sqlite"));
   EXPECT_EQ(text_of(file), "mine");

@@ -33,13 +33,13 @@ inline carrier_track::Parameterisation far_parameterisation() {
 }
 
 /// A file of this test that does not exist.
-inline std::filesystem::path fresh_file() {
+inline fs::path fresh_file() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) /
-                      (std::string("calibration_") + std::to_string(getpid()) +
-                       test->test_suite_name() + test->name());
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const auto folder =
+      fs::path(testing::TempDir()) / (std::string("calibration_") + std::to_string(getpid()) +
+                                      test->test_suite_name() + test->name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
   return folder / "runs.sqlite";
 }
 

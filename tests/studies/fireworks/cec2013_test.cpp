@@ -14,6 +14,8 @@ TEST(Cec2013, FunctionsAreNowhereBelowZero) {
     for (int k = 0; k < 200; ++k)
       ASSERT_GT(problem.evaluate(uniform_point(problem, random)).objective, 0) << number;
   }
+  EXPECT_THROW(cec2013(29, 10), std::invalid_argument);
+  EXPECT_THROW(cec2013(1, 7), std::invalid_argument) << "there is no such dimension";
 }
 
 TEST(Cec2013, FunctionsComeNearZero) {
@@ -28,11 +30,6 @@ TEST(Cec2013, FunctionsComeNearZero) {
     EXPECT_GE(best, -1e-9) << number;
     EXPECT_LT(best, 1e-6) << number;
   }
-}
-
-TEST(Cec2013, RefusesWhatThereIsNot) {
-  EXPECT_THROW(cec2013(29, 10), std::invalid_argument);
-  EXPECT_THROW(cec2013(1, 7), std::invalid_argument);
 }
 
 }  // namespace

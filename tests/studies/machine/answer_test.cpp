@@ -10,12 +10,6 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 /// On the lower wall of a clearance of 0.8 mm; its path has a radius of 65 mm.
 const Scene resting =
@@ -23,26 +17,19 @@ const Scene resting =
          set::restitution(0.2), set::friction(0.2), set::normal_force(11.8), set::start(0, 0),
          set::revolutions(10), set::counting_limit(5e-3));
 
-TEST(AnswerNotes, SayBothUnits) {
-  EXPECT_EQ(both_units(3.14159265358979), "3.142 rad/s (30.00 rpm)");
-}
-
-TEST(AnswerNotes, NameTheRestitutionOfBothWallsIfTheyDiffer) {
-  EXPECT_THAT(notes_on(resting, {}), Not(Contains(HasSubstr("Restitution"))));
+TEST(AnswerNotes, SayUpToWhatSpeedFrictionHolds) {
+  // By hand: sqrt((friction normal_force + |pull| - |disturbance|) / |centrifugal_mass_radius -
+  // slider_mass_radius|).
+  EXPECT_THAT(notes_on(resting, {}),
+              ElementsAre("Friction holds the carrier still up to 5.501 rad/s (52.53 rpm)."));
+  const Scene driven =
+      with(resting, set::slider_mass_radius(0.02), set::pull(0.5), set::disturbance(0.3));
+  EXPECT_THAT(notes_on(driven, {}), Contains(HasSubstr("up to 6.644 rad/s (63.44 rpm).")));
+  const Scene inward = with(driven, set::centrifugal(Centrifugal::inward), set::disturbance(0));
+  EXPECT_THAT(notes_on(inward, {}), Contains(HasSubstr("hold the carrier still at every speed")));
+  EXPECT_THAT(notes_on(with(inward, set::friction(0)), {}), IsEmpty());
   EXPECT_THAT(notes_on(with(resting, set::restitution_upper(0.7)), {}),
               Contains(HasSubstr("Restitution is 0.2 at the lower wall and 0.7 at the upper.")));
-}
-
-/// By hand: sqrt((friction normal_force + |pull| - |disturbance|) / |centrifugal_mass_radius -
-/// slider_mass_radius|).
-TEST(AnswerNotes, SayUpToWhatSpeedFrictionHolds) {
-  EXPECT_THAT(notes_on(resting, {}), Contains(HasSubstr("Friction holds the carrier still up to "
-                                                        "5.501 rad/s (52.53 rpm).")));
-  Scene scene = with(resting, set::slider_mass_radius(0.02), set::pull(0.5), set::disturbance(0.3));
-  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("up to 6.644 rad/s (63.44 rpm).")));
-  scene = with(scene, set::centrifugal(Centrifugal::inward), set::disturbance(0));
-  EXPECT_THAT(notes_on(scene, {}), Contains(HasSubstr("hold the carrier still at every speed")));
-  EXPECT_THAT(notes_on(with(scene, set::friction(0)), {}), testing::IsEmpty());
 }
 
 /// It strikes both walls, the lower one at 0.11 m/s, after which friction stops it.
@@ -51,12 +38,8 @@ const Scene launched = with(resting, set::revolutions(1.25), set::start_velocity
 TEST(AnswerNotes, WarnOfAWindowWhoseCollisionsAreTheStarts) {
   EXPECT_LE(start_share(resting, 6).of_start, 1);
   EXPECT_THAT(notes_on(resting, start_share(resting, 6)), Not(Contains(HasSubstr("window"))));
-  const StartShare share = start_share(launched, 4);
-  EXPECT_NEAR(share.turns, 1.25, 1e-12);
-  EXPECT_EQ(share.count, 2);
-  EXPECT_EQ(share.of_start, 2);
   EXPECT_THAT(
-      notes_on(launched, share),
+      notes_on(launched, start_share(launched, 4)),
       Contains(HasSubstr("The window of 1.25 turns is short: 2 of its 2 collisions at 4.000 rad/s "
                          "(38.20 rpm) are the start's, and do not come again.")));
   const Scene longer = with(launched, set::revolutions(100));  // where as many do not matter
@@ -87,9 +70,8 @@ TEST(PlanarModel, IsNeededWhereAPullAcrossBeatsFriction) {
   EXPECT_THAT(planar_sentence(scene, 8), StartsWith("Yes: at 8.000 rad/s"));
 }
 
-QuietSpeedAnswer answer_for(const Scene& scene, const QuietSpeedOptions& options,
-                            double tolerance = 0) {
-  return answer_quiet_speed("mine", scene, options, tolerance);
+QuietSpeedAnswer answer_for(const Scene& scene, const QuietSpeedOptions& options) {
+  return answer_quiet_speed("mine", scene, options, 0);
 }
 
 QuietSpeedOptions up_to(double collisions, double fastest) {
@@ -99,13 +81,6 @@ QuietSpeedOptions up_to(double collisions, double fastest) {
 /// tests/golden/threshold.txt has whole texts.
 TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
   const Scene c3 = case_scene("C3");
-  const auto found = answer_for(c3, {});
-  EXPECT_THAT(text_of(found),
-              AllOf(HasSubstr("mine: the fastest quiet speed is " +
-                              both_units(found.answer.fastest_quiet.value())),
-                    HasSubstr(fmt::format("  {:.3f}  ", found.answer.split.first_loud.value()))));
-  EXPECT_THAT(text_of(answer_for(case_scene("C1"), up_to(6, 10))),
-              HasSubstr("The window of 1.38 turns is short: 2 of its 5 collisions at 8.0"));
   EXPECT_THAT(text_of(answer_for(c3, up_to(99, 4))),
               HasSubstr("mine: every speed up to 4 rad/s is quiet"));
   const auto loud = answer_for(c3, up_to(0, 4));
@@ -117,21 +92,19 @@ TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
 }
 
 TEST(QuietSpeedAnswer, IsTheSameInJson) {
-  const auto answer = answer_for(case_scene("C1"), up_to(6, 10), 0.05);
+  const auto answer = answer_for(case_scene("C1"), up_to(6, 10));
+  EXPECT_THAT(text_of(answer),
+              HasSubstr("The window of 1.38 turns is short: 2 of its 5 collisions at 8.0"));
   const Json json = json_of(answer);
   EXPECT_NEAR(json["fastest_quiet"], *answer.answer.fastest_quiet, 1e-8);
   EXPECT_EQ(json["limit"]["measure"], "collisions");
-  EXPECT_EQ(json["steps"].size(), 2U);
   EXPECT_EQ(json["levels"].size(), 3U);
   EXPECT_EQ(json["around"].size(), 3U);
   EXPECT_NEAR(json["release_speed"], 1.43, 0.02);
   EXPECT_GE(json["start_collisions"], 1);
   EXPECT_NEAR(json["percent_for_one"]["restitution"], -0.8, 0.1);
-  EXPECT_LT(json["with_tolerance"]["lowest"], json["fastest_quiet"]);
-  EXPECT_GT(json["with_tolerance"]["highest"], json["fastest_quiet"]);
   EXPECT_TRUE(json["regimes"].empty());
   const Json long_run = json_of(answer_for(case_scene("C2"), {}));
-  EXPECT_EQ(long_run["limit"]["measure"], "collisions_per_turn");
   EXPECT_EQ(long_run["regimes"][0]["ends_by"], "release");
   EXPECT_TRUE(long_run["steps"].empty());
 }
@@ -171,10 +144,7 @@ TEST(RegimeTable, SaysWhereSilenceAndTheUsualLimitEnd) {
 TEST(RegimeCurveTable, HasEveryBorderInItsTextAndEveryPointInItsData) {
   const RegimeMap map =
       regime_map(case_scene("C1"), {{"restitution", 0.05, 0.95}, 13, {"omega", 0.5, 12}});
-  EXPECT_THAT(text_of(map, {}),
-              AllOf(HasSubstr("Their speeds [rad/s] at values of restitution:\n"),
-                    testing::ContainsRegex("\n2 to 4 +counting-limit +4.736 +3.288"),
-                    testing::ContainsRegex("\n2 to 4 .* speeds +range\n")));
+  EXPECT_THAT(text_of(map, {}), testing::ContainsRegex("\n2 to 4 .* speeds +range\n"));
   const Json json = json_of(map);
   EXPECT_EQ(json["constant"], "restitution");
   EXPECT_EQ(json["own"], 0.1);
@@ -192,18 +162,13 @@ TEST(RegimeCurveTable, HasEveryBorderInItsTextAndEveryPointInItsData) {
   ASSERT_EQ(json["columns"].size(), map.columns.size());
   EXPECT_EQ(json["columns"][3]["cells"][60], *map.columns[3].cells[60]);
   EXPECT_EQ(json["heights"].size(), map.columns[3].cells.size());
-  const std::string csv = csv_of(point_table(map));
-  EXPECT_THAT(csv,
-              StartsWith("curve,kind,collisions_slower,collisions_faster,constant,omega,slope\n"));
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), points + 1);
-}
-
-TEST(RegimeCurveTable, HasTheLevelsOfDisturbedMachines) {
-  const RegimeMap map =
+  EXPECT_EQ(point_table(map).rows.size(), points);
+  // Of a disturbed machine it has the levels.
+  const RegimeMap levels =
       regime_map(case_scene("C5"), {{"restitution", 0.1, 0.2}, 2, {"omega", 1, 4}});
-  EXPECT_THAT(text_of(map, {}),
+  EXPECT_THAT(text_of(levels, {}),
               HasSubstr("The lowest speed [rad/s] at which the collisions change so, to 0.01"));
-  EXPECT_EQ(json_of(map)["curves"][0]["kind"], nullptr);
+  EXPECT_EQ(json_of(levels)["curves"][0]["kind"], nullptr);
 }
 
 }  // namespace

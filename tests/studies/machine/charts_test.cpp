@@ -1,10 +1,6 @@
 #include "src/studies/machine/charts.h"
 
-#include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/suite/machine.h"
-#include "ricochet/machine.h"
-#include "tests/support/numbers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test.h"
 
@@ -13,7 +9,6 @@ namespace {
 
 using namespace carrier_track;
 using report::Chart;
-using testing::ElementsAre;
 using testing::Field;
 
 /// Bounces between elastic walls 1 m apart at 2 m/s.
@@ -47,8 +42,8 @@ TEST(PathChart, MarksWhatTheRuleCounts) {
   const Scene falling_back = with(bouncing, set::pull(20));  // from its first summit
   const report::Series impacts = path_of(falling_back).series.at(1);
   EXPECT_EQ(impacts.label, "impact that counts");
-  ASSERT_FALSE(impacts.samples.empty());
-  for (const report::Sample& mark : impacts.samples) EXPECT_EQ(mark.value, 0) << "lower wall";
+  EXPECT_THAT(impacts.samples, AllOf(Not(IsEmpty()), Each(Field(&report::Sample::value, 0))))
+      << "lower wall";
   const report::Series maxima = path_of(with(falling_back, set::rule(CountRule::peaks),
                                              set::peak_high(0.55), set::peak_low(0.1)))
                                     .series.at(1);
@@ -70,13 +65,10 @@ TEST(PathChart, ZoomsWhereMostHappens) {
   EXPECT_LT(chart->x.range->upper, 0.3);
   const auto& path = chart->series.at(0).samples;
   EXPECT_GT(path.size(), 1000U);
-  double highest = 0;
   for (const report::Sample& sample : path) {
-    EXPECT_GE(sample.position, chart->x.range->lower);
-    EXPECT_LE(sample.position, chart->x.range->upper);
-    highest = std::max(highest, *sample.value);
+    EXPECT_TRUE(sample.position >= chart->x.range->lower &&
+                sample.position <= chart->x.range->upper && *sample.value < chart->y.range->upper);
   }
-  EXPECT_LT(highest, chart->y.range->upper);
   EXPECT_LT(chart->y.range->upper, 60);
   ASSERT_EQ(chart->lines.size(), 1U) << "the upper wall is far away";
   EXPECT_EQ(chart->lines[0].position, 0);

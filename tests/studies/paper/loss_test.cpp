@@ -102,8 +102,7 @@ TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
     fit.free = free;
     const SmoothLoss at = smooth_loss(fit, default_smoothing);
     ASSERT_EQ(at.slopes.cols(), 5);
-    int compared = 0;
-    int close = 0;
+    int compared = 0, close = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       const auto i = static_cast<std::size_t>(free[k]);
       const double h = 1e-7 * (free[k] == Unknown::phase ? 1.0 : fit.constants[i]);
@@ -145,27 +144,23 @@ void expect_counts(const Parameterisation& fit, const std::vector<const char*>& 
 TEST(Loss, CountsAsASimulationOfEverySpeedDoes) {
   expect_counts(default_interpretation(), {"C2", "C9", "C11"}, {0.5, 2.03, 2.9, 8.1, 12.4, 17.9},
                 [](const Scene& scene) { return count_at(scene, scene.omega); });
-}
-
-TEST(Loss, CountsInALaterWindowTheImpactsAfterItsFirstTurn) {
+  // In a later window the impacts after its first turn count.
+  const auto later = [](const Scene& scene) {
+    const double turns = std::get<Revolutions>(scene.window).count;
+    const auto impacts = simulate(with(scene, set::revolutions(turns + 1.2))).impacts;
+    const auto count = std::ranges::count_if(impacts, [&](const Impact& impact) {
+      return impact.speed > scene.counting_limit &&
+             impact.time > 1.2 * 2 * std::numbers::pi / scene.omega;
+    });
+    return static_cast<int>(count);
+  };
   expect_counts(counted(Counted::later), {"C1", "C2", "C9", "C11"}, {0.5, 2.1, 2.9, 8.1, 12.4},
-                [](const Scene& scene) {
-                  const double turn = 2 * std::numbers::pi / scene.omega;
-                  const double turns = std::get<Revolutions>(scene.window).count;
-                  const auto impacts = simulate(with(scene, set::revolutions(turns + 1.2))).impacts;
-                  const auto later = std::ranges::count_if(impacts, [&](const Impact& impact) {
-                    return impact.speed > scene.counting_limit && impact.time > 1.2 * turn;
-                  });
-                  return static_cast<int>(later);
-                });
-}
-
-TEST(Loss, CountsInTheLongRunWhatATurnHas) {
+                later);
+  // In the long run what a turn has: the motion of these cases repeats.
   const Parameterisation fit = counted(Counted::long_run);
-  const double turns = constant_of(fit, Unknown::revolutions);
-  // The motion of these cases repeats.
   expect_counts(fit, {"C1", "C3"}, {1.0, 2.5, 5.0, 8.0, 8.2, 15.0}, [&](const Scene& scene) {
-    return static_cast<int>(std::lround(turns * most_per_turn(scene)));
+    return static_cast<int>(
+        std::lround(constant_of(fit, Unknown::revolutions) * most_per_turn(scene)));
   });
 }
 
@@ -182,7 +177,7 @@ TEST(Calibration, PlacesConstantsWithinTheirBoundsAndBack) {
   EXPECT_NEAR(constant_of(middle, Unknown::pull), std::sqrt(0.01 * 40), 1e-12);
   EXPECT_NEAR(constant_of(middle, Unknown::start_velocity), 0, 1e-12);
   EXPECT_EQ(constant_of(middle, Unknown::clearance), constant_of(fit, Unknown::clearance));
-  EXPECT_THAT(point_of(middle), testing::Each(testing::DoubleNear(0.5, 1e-12)));
+  EXPECT_THAT(point_of(middle), Each(testing::DoubleNear(0.5, 1e-12)));
 }
 
 TEST(Calibration, MinimisesTheLossWithSlopesInTheBox) {

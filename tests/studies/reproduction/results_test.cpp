@@ -5,7 +5,6 @@
 #include "src/studies/reproduction/study.h"
 #include "tests/studies/pages.h"
 #include "tests/support/files.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -14,7 +13,6 @@ using namespace carrier_track;
 using report::Chart;
 using report::Json;
 using report::Results;
-using testing::HasSubstr;
 
 /// The whole study at the coarsest: a second or two.
 const StudyPlan tiny_plan{{0.1, 1, 18.0}, 6.0, true};
@@ -176,7 +174,7 @@ TEST(ReproductionResults, AllHaveAReaderAndCanBeDrawn) {
     for (const Chart& chart : part.results.charts) expect_reader({"chart " + chart.name});
   const auto files = study_page("reproduction", report::results_of(kept_data())).files;
   EXPECT_TRUE(files.contains("c4-count.svg")) << "README shows it";
-  EXPECT_THAT(files.at("summary.md"), testing::Not(HasSubstr("{{")));
+  EXPECT_THAT(files.at("summary.md"), Not(HasSubstr("{{")));
 }
 
 TEST(ReproductionResults, AreTheSameOnAnyNumberOfThreads) {
@@ -191,9 +189,9 @@ TEST(ReproductionResults, AreEnoughToDrawThePageAgain) {
   EXPECT_EQ(written.failures, std::vector<std::string>());
   EXPECT_EQ(report::redraw_report(first, second).epilogue, written.epilogue);
   EXPECT_THAT(written.epilogue, HasSubstr("root mean square in log speed"));
-  const auto files_in = [](const std::filesystem::path& of) {
+  const auto files_in = [](const fs::path& of) {
     std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(of))
+    for (const auto& entry : fs::directory_iterator(of))
       files[entry.path().filename().string()] = ricochet::text_of(entry.path());
     return files;
   };

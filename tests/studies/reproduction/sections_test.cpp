@@ -5,13 +5,11 @@
 #include "src/studies/reproduction/study.h"
 #include "tests/studies/pages.h"
 #include "tests/support/scenes.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace carrier_track;
-using testing::HasSubstr;
 
 /// What a section adds for these arguments.
 template <class Section, class... Arguments>
@@ -150,8 +148,7 @@ TEST(Levers, HaveExponentsThatAddUpAsTheirDimensionsSayTheLargestFirst) {
     largest = most;
     if (row.text("known") == "fitted") fitted.insert(row.text("constant"));
   });
-  EXPECT_EQ(fitted,
-            (std::set<std::string>{"centrifugal mass radius", "clearance", "counting limit"}));
+  EXPECT_THAT(fitted, ElementsAre("centrifugal mass radius", "clearance", "counting limit"));
 }
 
 /// The paper's cases, with thresholds twice the formula's.
@@ -189,11 +186,6 @@ TEST(Theory, LeavesOutWhatIsNotComputed) {
   EXPECT_TRUE((*none.table("formulas"))[1].number_if("error"));
 }
 
-bool is_ordered(const std::vector<double>& values, const std::vector<AtMost>& order) {
-  return std::ranges::all_of(
-      order, [&](const AtMost& o) { return values[o.lower] <= values[o.upper] + 1e-12; });
-}
-
 Vector vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -218,19 +210,22 @@ TEST(IsotonicBound, IsThatOfAllOrderedLists) {
         if (uniform(random) < 0.5) order.push_back({i, j});
       }
     }
+    const auto is_ordered = [&](const std::vector<double>& list) {
+      return std::ranges::all_of(
+          order, [&](const AtMost& o) { return list[o.lower] <= list[o.upper] + 1e-12; });
+    };
     std::vector<double> values(4);
     for (double& v : values) v = std::floor(5 * uniform(random));
     const OrderBound bound = isotonic_bound(values, order);
-    EXPECT_TRUE(is_ordered(bound.nearest, order));
+    EXPECT_TRUE(is_ordered(bound.nearest));
     const Vector rest = vector_of(values) - vector_of(bound.nearest);
     EXPECT_NEAR(bound.root_mean_square, std::sqrt(rest.squaredNorm() / 4), 1e-12);
     LeastDistances least{vector_of(values)};
     // Every list of four numbers out of 0, 1/2, ..., 4.
     for (int code = 0; code < 9 * 9 * 9 * 9; ++code) {
-      const auto digit = [&](int unit) { return code / unit % 9; };
-      const std::vector<double> list = {0.5 * digit(1), 0.5 * digit(9), 0.5 * digit(81),
-                                        0.5 * digit(729)};
-      if (!is_ordered(list, order)) continue;
+      std::vector<double> list;
+      for (const int unit : {1, 9, 81, 729}) list.push_back(0.5 * (code / unit % 9));
+      if (!is_ordered(list)) continue;
       least.add(vector_of(list));
       // Nearest in a convex set: no other way from it leads nearer.
       EXPECT_LE(rest.dot(vector_of(list) - vector_of(bound.nearest)), 1e-9);

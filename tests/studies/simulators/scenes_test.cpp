@@ -2,10 +2,9 @@
 
 #include "problems/carrier_track/check/oracle.h"
 #include "problems/carrier_track/check/random_scenes.h"
-#include "problems/carrier_track/motion/forces.h"
-#include "problems/carrier_track/motion/profile_forces.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "src/studies/simulators/suite.h"
+#include "tests/carrier_track/models/brute_force.h"
 #include "tests/support/files.h"
 #include "tests/support/test.h"
 
@@ -25,74 +24,52 @@ double force_at(const TestScene& scene, double time) {
   return sum;
 }
 
-template <class Forces>
-double force_of_ricochet(const Scene& machine, double time) {
-  Forces forces(machine);
-  forces.pass(time);
-  return machine.mass * forces.sum();
+/// Expects the force of equation (31), straight from the formula.
+void expect_force_of(const Scene& machine, const TestScene& scene) {
+  for (const double share : {0.01, 0.2, 0.37, 0.73, 0.99}) {
+    const double time = share * scene.duration;
+    const double scale = std::abs(machine.pull) + std::abs(machine.disturbance) + 1;
+    EXPECT_NEAR(force_at(scene, time), force_of_plate(machine, time), 1e-11 * scale);
+  }
 }
 
-TEST(TestScene, HasTheForceOfTheSimulator) {
+TEST(TestScene, HasTheForceOfEquation31) {
+  RandomScenes draws(3);
   int profiles = 0;
   for (int k = 0; k < 132; ++k) {
     const ScoredScene drawn = drawn_scene(3, k);
-    const Scene& machine = drawn.machine;
-    profiles += machine.profile.empty() ? 0 : 1;
-    for (const double share : {0.01, 0.2, 0.37, 0.73, 0.99}) {
-      const double time = share * drawn.scene.duration;
-      const double expected = machine.profile.empty()
-                                  ? force_of_ricochet<AppliedForces<double>>(machine, time)
-                                  : force_of_ricochet<ProfileForces<double>>(machine, time);
-      const double scale = std::abs(machine.pull) + std::abs(machine.disturbance) + 1;
-      EXPECT_NEAR(force_at(drawn.scene, time), expected, 1e-11 * scale) << drawn.scene.scene;
-    }
+    profiles += !drawn.machine.profile.empty();
+    expect_force_of(drawn.machine, drawn.scene);
+    Scene machine = with(draws.next(), set::contact_friction(false), set::seconds(2));
+    expect_force_of(machine, test_scene(machine));
+    machine.profile = {{0.5, machine.omega}, {1.5, draws.within(0.5, 20)}};
+    expect_force_of(machine, test_scene(machine));
   }
   EXPECT_EQ(profiles, 12);
 }
 
-TEST(TestScene, KnowsAllForcesOfAProfile) {
-  Scene machine =
-      with(Scene{}, set::mass(2), set::pull(0.7), set::pull_rotates(true), set::pull_phase(0.4),
-           set::slider_mass_radius(0.3), set::centrifugal_mass_radius(0.2), set::phase(1),
-           set::disturbance(0.5), set::disturbance_frequency(7), set::seconds(2));
-  machine.profile = {{0.5, 2}, {1.5, 4}};
-  // alpha = 1 + 2 t, then + (t - 0.5)^2, omega = 2 + 2 (t - 0.5), omega' = 2.
-  const double t = 1.25, omega = 3.5, alpha = 1 + 2 * t + 0.75 * 0.75;
-  for (const auto& [rule, centrifugal] :
-       {std::pair{Centrifugal::projected, std::cos(alpha)}, std::pair{Centrifugal::inward, -1.0},
-        std::pair{Centrifugal::outward, 1.0}}) {
-    machine.centrifugal = rule;
-    const double expected = -0.7 * std::cos(alpha + 0.4) + 0.2 * omega * omega * centrifugal -
-                            0.3 * (2 * std::sin(alpha) + omega * omega * std::cos(alpha)) +
-                            0.5 * std::cos(7 * t);
-    EXPECT_NEAR(force_at(test_scene(machine), t), expected, 1e-14);
-  }
-}
-
 TEST(Truth, IsTheClosedFormOfABouncingBall) {
-  const double e = 0.7, gravity = 9.81, height = 2;
   TestScene scene;
   scene.mass = 3;
-  scene.restitution_lower = e;
-  scene.position = height;
+  scene.restitution_lower = 0.7;
+  scene.position = 2;
   scene.duration = 4;
   scene.slowest = 0.01;
-  scene.force = {{0, {{{-3 * gravity, 0, 0}, {}}}}};
+  scene.force = {{0, {{{-3 * 9.81, 0, 0}, {}}}}};
   Random random(1);
   const auto known = conditioned_truth(scene, random);
   ASSERT_TRUE(known);
-  const double first = std::sqrt(2 * height / gravity);
-  ASSERT_GT(known->impacts.size(), 15U);
-  for (std::size_t k = 0; k < known->impacts.size(); ++k) {
-    const double power = std::pow(e, k);
+  const auto bounces = bounces_of(2, 9.81, 0.7, known->impacts.size());
+  ASSERT_GT(bounces.size(), 15U);
+  for (std::size_t k = 0; k < bounces.size(); ++k) {
     const TrueImpact& impact = known->impacts[k];
-    EXPECT_NEAR(impact.time, first * (1 + e - 2 * e * power) / (1 - e), 1e-14);
-    EXPECT_NEAR(impact.speed, gravity * first * power, 1e-13);
+    EXPECT_NEAR(impact.time, bounces[k].time, 1e-14);
+    EXPECT_NEAR(impact.speed, bounces[k].speed, 1e-13);
     EXPECT_EQ(impact.wall, Wall::lower);
     EXPECT_GT(impact.time_sensitivity, 0);
   }
   // The first fall takes sqrt(2 h m / F): it changes by 3 / 2 of a change of all at most.
-  EXPECT_LE(known->impacts.front().time_sensitivity, 1.5 * first);
+  EXPECT_LE(known->impacts.front().time_sensitivity, 1.5 * bounces[0].time);
   EXPECT_GT(known->impacts.back().speed, 0.005);
 }
 
@@ -139,8 +116,8 @@ TEST(Truth, EndsWhereAnImpactIsBarelyThere) {
 }
 
 TEST(ScoredScene, HasTheKeysOfTheSchema) {
-  const report::Json schema = report::Json::parse(text_of(
-      std::filesystem::path(RICOCHET_SOURCE "/docs/simulators.schema.json")))["$defs"]["scene"];
+  const report::Json schema = report::Json::parse(
+      text_of(fs::path(RICOCHET_SOURCE "/docs/simulators.schema.json")))["$defs"]["scene"];
   const report::Json line = json_of(drawn_scene(1, 0));
   std::set<std::string> described, written;
   for (const auto& [key, value] : schema["properties"].items()) described.insert(key);
@@ -240,34 +217,30 @@ TEST(OwnSimulators, AreTheLevelsOfTheModelAndTheMethods) {
   EXPECT_EQ(std::ranges::count(names, "event-driven"), 0) << "it is ricochet";
 }
 
+/// The scores of a simulator in some scenes.
+std::vector<Score> scores_of(const Ask& ask, int scenes) {
+  std::vector<Score> scores;
+  for (int k = 0; k < scenes; ++k) {
+    const ScoredScene scored = drawn_scene(7, k);
+    scores.push_back(score_of(ask(scored), scored));
+  }
+  return scores;
+}
+
 TEST(OwnSimulators, HardWallsLoseNothing) {
   for (const char* name : {"ricochet", "planar"}) {
-    const Ask ask = own_simulator(name);
-    for (int k = 0; k < 88; ++k) {
-      const ScoredScene scored = drawn_scene(7, k);
-      const Score score = score_of(ask(scored), scored);
-      EXPECT_EQ(score.ending, Ending::answered);
-      EXPECT_EQ(score.wrong() + score.late + score.wrong_speed, 0)
-          << name << ", " << scored.scene.scene;
-      EXPECT_LT(score.time_error.value_or(0), 1e-7);
+    for (const Score& score : scores_of(own_simulator(name), 88)) {
+      EXPECT_EQ(score.ending, Ending::answered) << name;
+      EXPECT_EQ(score.wrong() + score.late + score.wrong_speed, 0) << name;
+      EXPECT_LT(score.time_error.value_or(0), 1e-7) << name;
     }
   }
 }
 
-/// What a simulator loses in 44 scenes.
-Tally tally_at(const char* name, Level level) {
-  std::vector<Score> scores;
-  const Ask ask = own_simulator(name, level);
-  for (int k = 0; k < 44; ++k) {
-    const ScoredScene scored = drawn_scene(7, k);
-    scores.push_back(score_of(ask(scored), scored));
-  }
-  return tally_of(scores);
-}
-
 TEST(OwnSimulators, ComeNearerWithATighterSetting) {
   for (const char* name : {"exact-restitution", "odeint-dopri5", "moreau-jean"}) {
-    const Tally loose = tally_at(name, Level::loose), tight = tally_at(name, Level::tight);
+    const Tally loose = tally_of(scores_of(own_simulator(name, Level::loose), 44));
+    const Tally tight = tally_of(scores_of(own_simulator(name, Level::tight), 44));
     EXPECT_LT(*tight.time_error, *loose.time_error / 3) << name;
     EXPECT_LE(*tight.wrong(), *loose.wrong()) << name;
     if (name != std::string("exact-restitution")) continue;

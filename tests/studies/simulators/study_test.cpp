@@ -11,14 +11,12 @@
 namespace ricochet::studies::simulators {
 namespace {
 
-using testing::AllOf;
 using testing::Ge;
-using testing::HasSubstr;
 using testing::Le;
 
 /// A tool that says that nothing ever strikes a wall, but for one kind of scenes, which it cannot
 /// express.
-Tool quiet_tool(const std::filesystem::path& folder) {
+Tool quiet_tool(const fs::path& folder) {
   Tool tool = own_tool("quiet=sh " + (folder / "quiet.sh").string());
   write_file(folder / "quiet.sh", R"(while read -r line; do case $line in
 *'"plastic"'*) echo '{"cannot":"e = 0"}';;
@@ -59,7 +57,7 @@ TEST(Losses, CompareEverybody) {
   EXPECT_EQ(all.table("levels")->rows.size(), table.rows.size());
   // One impact is enough to break it, and the scene is kept.
   EXPECT_EQ(row_of(*all.table("smallest-scenes"), "tool", "quiet").number("missed"), 1);
-  EXPECT_TRUE(std::filesystem::exists(out / "smallest" / "quiet.jsonl"));
+  EXPECT_TRUE(fs::exists(out / "smallest" / "quiet.jsonl"));
   EXPECT_EQ(lines_of(text_of(out / "scenes.jsonl")).size(), 44U);
 }
 

@@ -2,19 +2,18 @@
 
 #include "ricochet/evaluator.h"
 #include "src/studies/suite/suite.h"
+#include "tests/support/campaigns.h"
 #include "tests/support/files.h"
 #include "tests/support/refusals.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies {
 namespace {
 
 TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
-  const Campaign campaign(
-      plan_from("[[part]]\nproblems = [\"profile-wear-16-C4\", \"top-speed-C1\", \"hs-71\"]\n"
-                "solvers = \"nlopt-slsqp\"\nformulations = [\"original\", \"surrogate\"]\n"
-                "gradient_prices = [\"measured\", \"n\"]\nbudgets = 100",
-                "test"),
+  const Campaign campaign = made_up_campaign(
+      part_of(R"(["profile-wear-16-C4", "top-speed-C1", "hs-71"])",
+              "solvers = \"nlopt-slsqp\"\nformulations = [\"original\", \"surrogate\"]\n"
+              "gradient_prices = [\"measured\", \"n\"]\nbudgets = 100"),
       whole_catalogue());
   std::map<std::string, std::int64_t> measured;
   for (const PlannedCell& cell : campaign.cells()) {
@@ -29,8 +28,7 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
     }
   }
   // A gradient of one variable costs one evaluation at both prices.
-  EXPECT_EQ(measured,
-            (std::map<std::string, std::int64_t>{{"profile-wear-16-C4", 2}, {"hs-71", 1}}));
+  EXPECT_THAT(measured, ElementsAre(FieldsAre("hs-71", 1), FieldsAre("profile-wear-16-C4", 2)));
 }
 
 /// The number of problems and families that README and docs/benchmark-method.md name; pathological
@@ -45,9 +43,9 @@ TEST(Catalogue, HasAsManyProblemsAsTheDocumentsSay) {
         family.problems, [](const Problem& problem) { return problem.dimension() <= 100; }));
   }
   const auto says = [](const char* file, const std::string& sentence) {
-    std::string text = text_of(std::filesystem::path(RICOCHET_SOURCE) / file);
+    std::string text = text_of(fs::path(RICOCHET_SOURCE) / file);
     std::ranges::replace(text, '\n', ' ');
-    EXPECT_THAT(text, testing::HasSubstr(sentence)) << file;
+    EXPECT_THAT(text, HasSubstr(sentence)) << file;
   };
   says("README.md", fmt::format("with problems of the literature, {} in all,", problems));
   says("docs/benchmark-method.md",
@@ -60,11 +58,9 @@ TEST(Catalogue, HasAsManyProblemsAsTheDocumentsSay) {
 /// An ordinary plan must not hang, and an archive's plan of all problems keeps its meaning.
 TEST(Catalogue, LeavesPathologicalProblemsToPlansThatNameThem) {
   const auto chosen = [](const std::string& problems) {
-    const Campaign campaign(plan_from("[[part]]\nproblems = " + problems +
-                                          "\nsolvers = [\"random-search\", \"nlopt-cobyla\"]\n"
-                                          "budgets = 1\ninstances = 1",
-                                      "test"),
-                            whole_catalogue());
+    const Campaign campaign = made_up_campaign(
+        part_of(problems, "solvers = [\"random-search\", \"nlopt-cobyla\"]\ninstances = 1"),
+        whole_catalogue());
     int pathological = 0;
     for (const Problem& problem : campaign.problems()) pathological += problem.hazardous ? 1 : 0;
     return std::pair(pathological, std::ssize(campaign.problems()) - pathological);
@@ -76,11 +72,9 @@ TEST(Catalogue, LeavesPathologicalProblemsToPlansThatNameThem) {
 TEST(Catalogue, NamesThePlaceOfAMachineThatItDoesNotKnow) {
   expect_refusals(
       [](const std::string& machines) {
-        return Campaign(plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"scan\"\nbudgets = 9\n"
-                                  "machines = {around = " +
-                                      machines + "}",
-                                  "test"),
-                        whole_catalogue());
+        return made_up_campaign(
+            part_of("\"*\"", "solvers = \"scan\"\nmachines = {around = " + machines + "}"),
+            whole_catalogue());
       },
       {{"\"C1\", frictoin = 0.5",
         "part 1, machines: there is no key frictoin; did you mean friction?"},
@@ -104,21 +98,20 @@ TEST(FamilyTexts, SayWhatEveryFamilyAsks) {
   for (const Family& family : suite_families()) {
     for (const char* key : {"title", "asks", "formula", "instances", "users"})
       EXPECT_GT(family_text(texts, family.name, key).size(), 10U) << family.name << ' ' << key;
-    const auto any_formulation = [&](const auto& of) {
-      return std::ranges::any_of(family.problems, [&](const Problem& problem) {
-        return std::ranges::any_of(problem.formulations(), [&](const Formulation& formulation) {
-          return of(problem.formulated(formulation));
-        });
-      });
-    };
-    const std::pair<const char*, bool> parts[] = {
-        {"constraints", any_formulation([](const Problem& p) { return p.constraints > 0; })},
-        {"surrogate",
-         any_formulation([](const Problem& p) { return static_cast<bool>(p.smoothed); })},
-        {"derivatives",
-         any_formulation([](const Problem& p) { return p.differentiate || p.residuals; })}};
-    for (const auto& [key, asked] : parts)
-      EXPECT_EQ(!family_text(texts, family.name, key).empty(), asked) << family.name << ' ' << key;
+    std::map<const char*, bool> asked;
+    for (const Problem& problem : family.problems) {
+      for (const Formulation& formulation : problem.formulations()) {
+        const Problem p = problem.formulated(formulation);
+        asked["constraints"] |= p.constraints > 0;
+        asked["surrogate"] |= static_cast<bool>(p.smoothed);
+        asked["derivatives"] |= p.differentiate || p.residuals;
+      }
+    }
+    EXPECT_EQ(asked.size(), 3U);
+    for (const auto& [key, is_asked] : asked) {
+      EXPECT_NE(family_text(texts, family.name, key).empty(), is_asked)
+          << family.name << ' ' << key;
+    }
   }
 }
 

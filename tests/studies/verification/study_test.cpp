@@ -1,14 +1,11 @@
 #include "ricochet/error.h"
 #include "src/studies/verification/verification.h"
 #include "tests/studies/pages.h"
-#include "tests/support/test.h"
 
 namespace ricochet::studies {
 namespace {
 
 using carrier_track::Comparison;
-using testing::HasSubstr;
-using testing::Not;
 
 Comparison comparison(bool certain, int count, int true_values) {
   Comparison c;

@@ -9,54 +9,40 @@ namespace ricochet::carrier_track {
 namespace {
 
 TEST(Comparison, FindsNoWrongCountAmongThoseCalledCertain) {
-  constexpr int scenes = 2000;
+  constexpr int scenes = 2600;
   int certain = 0;
   int matched = 0;
   int equal = 0;  // but for rounding
+  std::map<Hostility, int> endless;
   for (int i = 0; i < scenes; ++i) {
-    const Comparison c = compare(hostile_scene(1, i).scene);
+    SCOPED_TRACE(i);
+    const HostileScene hostile = hostile_scene(1, i);
+    const Comparison c = compare(hostile.scene);
+    endless[hostile.hostility] += c.endless;
     if (!c.compared || !c.certain) continue;
     ++certain;
     matched += c.matched;
-    EXPECT_EQ(c.count, c.true_values) << "scene " << i;
-    EXPECT_EQ(c.missed, 0) << "scene " << i;
-    EXPECT_EQ(c.spurious, 0) << "scene " << i;
-    EXPECT_LT(std::max(c.time_error, c.speed_error), 1e-6) << "scene " << i;
+    EXPECT_TRUE(c.agrees()) << c.count << ", truly " << c.true_values;
+    EXPECT_EQ(c.missed, 0);
+    EXPECT_EQ(c.spurious, 0);
+    EXPECT_LT(std::max(c.time_error, c.speed_error), 1e-6);
     equal += c.time_error < 1e-14 && c.speed_error < 1e-14;
   }
   EXPECT_GT(certain, scenes * 8 / 10);
   EXPECT_GT(matched, 5 * scenes);
   EXPECT_GT(equal, certain * 8 / 10);
-}
-
-TEST(Comparison, FindsNoWrongCountAmongSlowImpactsAndMaxima) {
-  for (const Hostility hostility : {Hostility::slow_limit, Hostility::maxima}) {
-    int certain = 0;
-    int endless = 0;
-    for (int i = 0; i < 300; ++i) {
-      const Comparison c = compare(hostile_scene(hostility, 2, i).scene);
-      endless += c.endless ? 1 : 0;
-      if (!c.compared || !c.certain) continue;
-      ++certain;
-      EXPECT_TRUE(c.agrees()) << "scene " << i << ": " << c.count << ", truly " << c.true_values;
-      EXPECT_EQ(c.missed + c.spurious, 0) << "scene " << i;
-    }
-    EXPECT_GT(certain, 100);
-    if (hostility == Hostility::maxima) {
-      EXPECT_GT(endless, 100);
-    }
-  }
+  EXPECT_GT(endless[Hostility::maxima], 60);
 }
 
 TEST(Comparison, AgreesOnEveryCaseToTheLastDigits) {
   for (const Case& a_case : all_cases()) {
-    for (const double omega : {0.5, 2.0, 9.0}) {
+    for (const double omega : {0.5, 1.5, 2.0, 3.0, 5.0, 9.0, 13.0, 18.0}) {
+      SCOPED_TRACE(a_case.id);
       const Comparison c = compare(at_speed(scene_of(a_case, exploratory_scene()), omega));
       EXPECT_TRUE(c.compared);
-      EXPECT_EQ(c.count, c.true_values) << a_case.id;
-      EXPECT_EQ(c.matched, c.count) << a_case.id;
-      EXPECT_LT(c.time_error, 1e-14) << a_case.id;
-      EXPECT_LT(c.speed_error, 1e-14) << a_case.id;
+      EXPECT_EQ(c.count, c.true_values);
+      EXPECT_EQ(c.matched, c.count);
+      EXPECT_LT(std::max(c.time_error, c.speed_error), 1e-14);
     }
   }
 }
@@ -102,36 +88,27 @@ TEST(RandomScenes, AreValidAndTheSameForTheSameSeedOnly) {
   }
 }
 
-const int kinds = static_cast<int>(all_hostilities().size());
-
-/// Some scenes of a hostility.
-std::vector<HostileScene> scenes_of(Hostility hostility, int number) {
-  std::vector<HostileScene> scenes;
-  for (int i = 0; static_cast<int>(scenes.size()) < number; ++i) {
-    if (all_hostilities()[static_cast<std::size_t>(i % kinds)] != hostility) continue;
-    scenes.push_back(hostile_scene(3, i));
-    EXPECT_EQ(scenes.back().hostility, hostility);
-  }
-  return scenes;
-}
-
 TEST(HostileScenes, AreValidAndEachComputableAlone) {
+  const auto& kinds = all_hostilities();
+  const int number = 20 * static_cast<int>(kinds.size());
   std::set<std::string> seen;
-  for (int i = 0; i < 20 * kinds; ++i) {
-    const Scene scene = hostile_scene(1, i).scene;
-    EXPECT_NO_THROW(check(scene, std::to_string(i)));
-    EXPECT_TRUE(seen.insert(write_scene(scene)).second) << i;
+  for (int i = 0; i < number; ++i) {
+    const HostileScene hostile = hostile_scene(1, i);
+    EXPECT_EQ(hostile.hostility, kinds[static_cast<std::size_t>(i) % kinds.size()]);
+    EXPECT_NO_THROW(check(hostile.scene, std::to_string(i)));
+    EXPECT_TRUE(seen.insert(write_scene(hostile.scene)).second) << i;
   }
-  for (int i = 20 * kinds; i-- > 0;) {
-    EXPECT_TRUE(seen.count(write_scene(hostile_scene(1, i).scene)));
-    EXPECT_FALSE(seen.count(write_scene(hostile_scene(2, i).scene)));
+  for (int i = number; i-- > 0;) {
+    EXPECT_TRUE(seen.contains(write_scene(hostile_scene(1, i).scene)));
+    EXPECT_FALSE(seen.contains(write_scene(hostile_scene(2, i).scene)));
   }
 }
 
 TEST(HostileScenes, GrazeAsCloselyAsAskedFor) {
   std::set<int> digits;
   int missing = 0;
-  for (const HostileScene& h : scenes_of(Hostility::graze, 200)) {
+  for (int k = 0; k < 200; ++k) {
+    const HostileScene h = hostile_scene(Hostility::graze, 3, k);
     const OracleRun run = oracle_run(with(h.scene, set::wall_upper(infinity)));
     const auto summit = std::ranges::min_element(
         run.summits, {}, [&](const Summit& s) { return std::abs(s.height - h.scene.wall_upper); });
@@ -153,7 +130,8 @@ TEST(HostileScenes, GrazeAsCloselyAsAskedFor) {
 }
 
 TEST(HostileScenes, CountAtTheLimitAsCloselyAsAskedFor) {
-  for (const HostileScene& h : scenes_of(Hostility::counting_limit, 100)) {
+  for (int k = 0; k < 100; ++k) {
+    const HostileScene h = hostile_scene(Hostility::counting_limit, 3, k);
     double nearest = 1;
     for (const Impact& i : oracle_run(h.scene).impacts) {
       const double distance = h.scene.counting_limit / i.speed - 1;
@@ -164,7 +142,8 @@ TEST(HostileScenes, CountAtTheLimitAsCloselyAsAskedFor) {
 }
 
 TEST(HostileScenes, HoldOrReleaseAtTheLimitOfFriction) {
-  for (const HostileScene& h : scenes_of(Hostility::friction_limit, 50)) {
+  for (int k = 0; k < 50; ++k) {
+    const HostileScene h = hostile_scene(Hostility::friction_limit, 3, k);
     if (std::abs(h.closeness) < 1e-15) continue;  // less than the rounding of the friction
     // What moves at all strikes.
     Scene scene = with(h.scene, set::start(0, 0), set::walls(0, 1e-300),

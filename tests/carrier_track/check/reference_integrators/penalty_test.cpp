@@ -47,14 +47,6 @@ Scene resting_body(ContactLaw law, double stiffness) {
               law, stiffness);
 }
 
-TEST(Penalty, MethodsAreListedOnceTheReferenceFirst) {
-  std::vector<std::string> names;
-  for (const Integrator& integrator : through_walls()) names.push_back(integrator.name);
-  EXPECT_THAT(names, testing::ElementsAre("event-driven", "odeint-dopri5", "odeint-rosenbrock4",
-                                          "cvode-adams", "cvode-bdf", "semi-implicit-euler",
-                                          "runge-kutta-4"));
-}
-
 TEST(Penalty, MethodsRefuseFrictionAndTheOthersCompliantWalls) {
   const Scene rough = with(compliant_gap(), set::friction(0.1), set::normal_force(1));
   for (const Integrator& integrator : all_integrators()) {
@@ -72,14 +64,15 @@ TEST(Penalty, SpringsForHardWallsConvergeToThem) {
   for (const double friction : {0.0, 0.5}) {
     const Scene scene =
         with(shaken_gap(), set::seconds(0.5), set::friction(friction), set::normal_force(0.1));
+    for (const double e : {0.0, 1.0}) run("penalty", with(scene, set::restitution(e)), 1e-3);
     const Outcome true_values = reference(scene);
     ASSERT_GE(true_values.impacts.size(), 8U);
     double last = infinity;
     for (const double depth : {1e-2, 1e-3, 1e-4}) {
-      const Outcome outcome = run(find_integrator("penalty"), scene, depth);
-      const auto error = time_error(scene, outcome, true_values);
-      EXPECT_LT(error.value_or(infinity), 0.5 * last) << depth;
-      last = error.value_or(0);
+      const Outcome outcome = run("penalty", scene, depth);
+      const double error = time_error(scene, outcome, true_values);
+      EXPECT_LT(error, 0.5 * last) << depth;
+      last = error;
       EXPECT_GT(outcome.deepest, 0);
       EXPECT_LT(outcome.deepest, depth * scene.wall_upper);
     }
@@ -87,16 +80,26 @@ TEST(Penalty, SpringsForHardWallsConvergeToThem) {
 }
 
 TEST(Penalty, MethodsReturnTheRestitutionOfEveryLawAndSeeHowDeepTheBodyGoes) {
-  for (const ContactLaw law : {ContactLaw::hertz, ContactLaw::kelvin_voigt,
-                               ContactLaw::hunt_crossley, ContactLaw::exact_restitution}) {
-    const double expected =
-        law == ContactLaw::kelvin_voigt ? 0.5 : returned_restitution(dissipation(law, 0.5));
+  struct Impacting {
+    ContactLaw law;
+    std::optional<double> contact_speed;
+    double restitution;
+  };
+  const auto damping = [](ContactLaw law) { return dissipation(law, 0.5); };
+  for (const auto& [law, contact_speed, restitution] :
+       {Impacting{ContactLaw::hertz, {}, 1},
+        {ContactLaw::kelvin_voigt, {}, 0.5},
+        {ContactLaw::hunt_crossley, {}, returned_restitution(damping(ContactLaw::hunt_crossley))},
+        {ContactLaw::exact_restitution, {}, 0.5},
+        // At a tenth of contact_speed a wall returns what a tenth of the damping does.
+        {ContactLaw::exact_restitution, 10.0,
+         returned_restitution(damping(ContactLaw::exact_restitution) / 10)}}) {
+    const Scene scene = with(one_impact(law, 0.5), set::contact_speed(contact_speed));
     for (const Integrator& integrator : through_walls()) {
       SCOPED_TRACE(testing::Message() << integrator.name << " " << static_cast<int>(law));
-      const Outcome outcome =
-          run(integrator, one_impact(law, 0.5), control_of(integrator, 1e-4, 1e-9));
+      const Outcome outcome = run(integrator, scene, control_of(integrator, 1e-4, 1e-9));
       // Of an adaptive method: a hundred steps, each with the tolerance times the gap's 100 m.
-      EXPECT_NEAR(outcome.end.velocity, expected, control_of(integrator, 1e-4, 1e-5));
+      EXPECT_NEAR(outcome.end.velocity, restitution, control_of(integrator, 1e-4, 1e-5));
       ASSERT_EQ(outcome.impacts.size(), 1U);
       EXPECT_NEAR(outcome.impacts[0].time, 0.3, 1e-12);
       EXPECT_NEAR(outcome.impacts[0].speed, 1, 1e-12);
@@ -108,54 +111,34 @@ TEST(Penalty, MethodsReturnTheRestitutionOfEveryLawAndSeeHowDeepTheBodyGoes) {
   }
 }
 
-TEST(Penalty, DampingIsScaledWithTheSpeedOfEveryImpactOrWithOne) {
-  // At a tenth of contact_speed a wall returns what a tenth of the damping does.
-  const Scene scene = one_impact(ContactLaw::exact_restitution, 0.5);
-  const double weak = returned_restitution(dissipation(scene.contact_law, 0.5) / 10);
-  EXPECT_GT(weak, 0.8);
-  for (const Integrator& integrator : through_walls()) {
-    const double control = control_of(integrator, 1e-4, 1e-9);
-    EXPECT_NEAR(run(integrator, scene, control).end.velocity, 0.5, 1e-4) << integrator.name;
-    EXPECT_NEAR(run(integrator, with(scene, set::contact_speed(10)), control).end.velocity, weak,
-                1e-4)
-        << integrator.name;
-  }
-}
-
 TEST(Penalty, MethodsConvergeToTheCompliantModelInAShakenGap) {
   const Scene scene = compliant_gap();
-  const Outcome true_values = run(through_walls().front(), scene, 0);
+  const Outcome true_values = reference(scene);
   ASSERT_GE(true_values.impacts.size(), 8U);
   for (const Integrator& integrator : through_walls()) {
-    if (integrator.setting == "none") continue;
-    SCOPED_TRACE(integrator.name);
-    const auto loose =
-        time_error(scene, run(integrator, scene, control_of(integrator, 1e-5, 1e-7)), true_values);
-    const auto tight =
-        time_error(scene, run(integrator, scene, control_of(integrator, 1e-6, 1e-11)), true_values);
-    ASSERT_TRUE(loose && tight);
-    EXPECT_LT(*tight, 0.2 * *loose);
-    EXPECT_LT(*tight, control_of(integrator, 1e-5, 1e-9));
+    if (integrator.setting == no_setting) continue;
+    const auto error = [&](double step, double tolerance) {
+      const double control = control_of(integrator, step, tolerance);
+      return time_error(scene, run(integrator, scene, control), true_values);
+    };
+    const double loose = error(1e-5, 1e-7), tight = error(1e-6, 1e-11);
+    EXPECT_LT(loose, infinity) << integrator.name;
+    EXPECT_LT(tight, 0.2 * loose) << integrator.name;
+    EXPECT_LT(tight, control_of(integrator, 1e-5, 1e-9)) << integrator.name;
   }
 }
 
 TEST(Penalty, MethodsEndWithAReasonWhateverTheControl) {
   for (const Integrator& integrator : through_walls()) {
-    for (const double control : {1e-30, 1e-2, 1.0}) {
+    for (const double control : {1e-30, 1e-3, 1.0}) {
+      SCOPED_TRACE(testing::Message() << integrator.name << " " << control);
       const Outcome outcome = integrator.run(compliant_gap(1e16), control);
-      EXPECT_EQ(outcome.finished, outcome.failure.empty()) << integrator.name << " " << control;
-      EXPECT_TRUE(std::isfinite(outcome.end.position)) << integrator.name << " " << control;
-      EXPECT_TRUE(std::isfinite(outcome.end.velocity)) << integrator.name << " " << control;
+      EXPECT_EQ(outcome.finished, outcome.failure.empty());
+      EXPECT_TRUE(std::isfinite(outcome.end.position) && std::isfinite(outcome.end.velocity));
+      if (!steps_evenly(integrator) || control != 1e-3) continue;
+      EXPECT_EQ(outcome.failure, "the body has left the walls by more than the gap");
+      EXPECT_EQ(outcome.deepest, infinity);
     }
-  }
-}
-
-TEST(Penalty, StepsThatTheWallThrowsOutAreToldAsSuch) {
-  for (const char* name : {"semi-implicit-euler", "runge-kutta-4"}) {
-    const Outcome outcome = find_integrator(name).run(compliant_gap(1e16), 1e-3);
-    EXPECT_FALSE(outcome.finished);
-    EXPECT_EQ(outcome.failure, "the body has left the walls by more than the gap");
-    EXPECT_EQ(outcome.deepest, infinity);
   }
 }
 
@@ -171,27 +154,11 @@ TEST(Penalty, FixedStepsStayOnASpringAsLongAsTheyAreStable) {
   // Semi-implicit Euler up to 2, Runge-Kutta up to the root of 8.
   for (const auto& [name, stable, unstable] :
        {std::tuple("semi-implicit-euler", 1.8, 2.2), {"runge-kutta-4", 2.7, 3.0}}) {
-    const Integrator integrator = find_integrator(name);
     for (const double step : {0.5, 1.0, stable}) {
-      EXPECT_NEAR(run(integrator, pressed_slowly(), step).deepest, 2, 0.01) << name << " " << step;
+      EXPECT_NEAR(run(name, pressed_slowly(), step).deepest, 2, 0.01) << name << " " << step;
     }
-    EXPECT_GT(integrator.run(pressed_slowly(), unstable).deepest, 10) << name;
+    EXPECT_GT(find_integrator(name).run(pressed_slowly(), unstable).deepest, 10) << name;
   }
-}
-
-TEST(Penalty, RungeKutta4GivesABouncingBodyEnergyAtThreeAndAHalfAndNotAtOne) {
-  const Integrator integrator = find_integrator("runge-kutta-4");
-  Scene scene = with(one_impact(ContactLaw::exact_restitution, 0.9), set::contact_exponent(1),
-                     set::seconds(35));
-  int gains = 0;
-  for (int i = 0; i < 50; ++i) {
-    scene.start_position = 0.3 + 0.02 * i;
-    EXPECT_LT(*run(integrator, scene, 1.0).gained, 0) << i;
-    scene.start_position = 0.3 + 0.07 * i;
-    const Outcome outcome = integrator.run(scene, 3.5);
-    gains += outcome.gained.value_or(0) > 0 || !outcome.finished;
-  }
-  EXPECT_GT(gains, 10);
 }
 
 TEST(Penalty, SemiImplicitEulerThrowsABodyOutOfALinearWallByTheClosedForm) {
@@ -200,7 +167,7 @@ TEST(Penalty, SemiImplicitEulerThrowsABodyOutOfALinearWallByTheClosedForm) {
   const double h = 1.8, u = 0.9;
   const Scene scene = with(one_impact(ContactLaw::hertz, 1), set::contact_exponent(1),
                            set::start_position(2 * h - u * h), set::seconds(20 * h));
-  const Outcome outcome = run(find_integrator("semi-implicit-euler"), scene, h);
+  const Outcome outcome = run("semi-implicit-euler", scene, h);
   EXPECT_NEAR(outcome.end.velocity, h * h * u - 1, 1e-12);
   EXPECT_NEAR(*outcome.gained, h * h * u - 2, 1e-12);
   EXPECT_NEAR(outcome.deepest, u * h, 1e-12);
@@ -210,21 +177,19 @@ TEST(Penalty, ExplicitErrorControlPaysForRestOnAStiffWall) {
   // Ten thousand times the stiffness is, with the frequency ~ K^(1/3) of a pressed Hertz contact,
   // 21.5 times the steps for a method that is bound by stability.
   const auto evaluations = [](const char* name, double stiffness) {
-    const Outcome outcome =
-        run(find_integrator(name), resting_body(ContactLaw::exact_restitution, stiffness), 1e-6);
-    return static_cast<double>(outcome.force_evaluations);
+    return run(name, resting_body(ContactLaw::exact_restitution, stiffness), 1e-6)
+        .force_evaluations;
   };
-  const double growth = evaluations("odeint-dopri5", 1e14) / evaluations("odeint-dopri5", 1e10);
-  EXPECT_GT(growth, 10);
-  EXPECT_LT(growth, 40);
+  const auto soft = evaluations("odeint-dopri5", 1e10), stiff = evaluations("odeint-dopri5", 1e14);
+  EXPECT_GT(stiff, 10 * soft);
+  EXPECT_LT(stiff, 40 * soft);
   EXPECT_LT(3 * evaluations("odeint-rosenbrock4", 1e16), evaluations("odeint-dopri5", 1e16));
 }
 
 TEST(Penalty, OnlyTheRosenbrockMethodSettlesToRoundingOnAStiffWall) {
-  const Scene scene = resting_body(ContactLaw::exact_restitution, 1e14);
-  const double depth = std::pow(10 / 1e14, 2.0 / 3);
-  const auto error = [&](const char* name) {
-    return std::abs(-run(find_integrator(name), scene, 1e-6).end.position / depth - 1);
+  const auto error = [](const char* name) {
+    const Scene scene = resting_body(ContactLaw::exact_restitution, 1e14);
+    return std::abs(run(name, scene, 1e-6).end.position / std::pow(10 / 1e14, 2.0 / 3) + 1);
   };
   EXPECT_LT(error("event-driven"), 1e-9);
   EXPECT_LT(error("odeint-rosenbrock4"), 1e-9);
@@ -234,9 +199,8 @@ TEST(Penalty, OnlyTheRosenbrockMethodSettlesToRoundingOnAStiffWall) {
 TEST(Penalty, BdfRestsInAStiffViscousWallForMuchLessThanAdams) {
   // w = 3.2e6 1/s: explicit and fixed-point iterations must follow it for ever.
   const Scene scene = resting_body(ContactLaw::kelvin_voigt, 1e13);
-  const Outcome bdf = run(find_integrator("cvode-bdf"), scene, 1e-6);
-  const Outcome adams = find_integrator("cvode-adams").run(scene, 1e-6);
-  EXPECT_LT(20 * bdf.force_evaluations, adams.force_evaluations);
+  EXPECT_LT(20 * run("cvode-bdf", scene, 1e-6).force_evaluations,
+            find_integrator("cvode-adams").run(scene, 1e-6).force_evaluations);
 }
 
 WallForce wall_of(ContactLaw law, double exponent) {
@@ -274,14 +238,11 @@ TEST(WallForce, HasTheSlopesOfItsDifferences) {
     for (const ContactLaw law : {ContactLaw::flores, ContactLaw::kelvin_voigt}) {
       const WallForce wall = wall_of(law, exponent);
       for (int i = 0; i < 40; ++i) {
-        const double d = draws.within(0.01, 0.1);
-        const State s{i % 2 ? -d : 1 + d, draws.within(-1, 1)};
-        const double h = 1e-6;
-        const auto slopes = wall.slopes(s);
-        const double by_position =
-            (wall({s.position + h, s.velocity}) - wall({s.position - h, s.velocity})) / (2 * h);
-        const double by_velocity =
-            (wall({s.position, s.velocity + h}) - wall({s.position, s.velocity - h})) / (2 * h);
+        const double d = draws.within(0.01, 0.1), h = 1e-6;
+        const double x = i % 2 ? -d : 1 + d, v = draws.within(-1, 1);
+        const auto slopes = wall.slopes({x, v});
+        const double by_position = (wall({x + h, v}) - wall({x - h, v})) / (2 * h);
+        const double by_velocity = (wall({x, v + h}) - wall({x, v - h})) / (2 * h);
         EXPECT_NEAR(slopes.by_position, by_position, 1e-5 * (1 + std::abs(by_position)));
         EXPECT_NEAR(slopes.by_velocity, by_velocity, 1e-5 * (1 + std::abs(by_velocity)));
       }
@@ -306,11 +267,12 @@ TEST(Forces, AreThoseOfEquation31AndChangeAtTheRateThatTheyTell) {
 
 TEST(Forces, HaveThePeriodOfTheFastestThatActs) {
   Scene scene = with(Scene{}, set::omega(5), set::disturbance_frequency(8));
-  EXPECT_EQ(Forces(scene).shortest_period(), infinity);
+  const auto frequency = [&] { return 2 * std::numbers::pi / Forces(scene).shortest_period(); };
+  EXPECT_EQ(frequency(), 0);
   scene.slider_mass_radius = 1;
-  EXPECT_DOUBLE_EQ(Forces(scene).shortest_period(), 2 * std::numbers::pi / 5);
+  EXPECT_DOUBLE_EQ(frequency(), 5);
   scene.disturbance = 1;
-  EXPECT_DOUBLE_EQ(Forces(scene).shortest_period(), 2 * std::numbers::pi / 8);
+  EXPECT_DOUBLE_EQ(frequency(), 8);
 }
 
 TEST(Forces, OfAProfileAreThoseOfEveryPieceContinuedBeyondItsEnds) {

@@ -16,7 +16,7 @@ inline Integrator find_integrator(const std::string& name) {
 }
 
 /// Those with this kind of setting.
-inline std::vector<Integrator> integrators_by(const std::string& setting) {
+inline std::vector<Integrator> integrators_by(std::string_view setting) {
   std::vector<Integrator> chosen = all_integrators();
   std::erase_if(chosen, [&](const Integrator& i) { return i.setting != setting; });
   return chosen;
@@ -29,13 +29,17 @@ inline bool steps_evenly(const Integrator& integrator) {
 /// A finished run.
 inline Outcome run(const Integrator& integrator, const Scene& scene, double control) {
   const Outcome outcome = integrator.run(scene, control);
-  EXPECT_TRUE(outcome.finished) << integrator.name << ": " << outcome.failure;
-  EXPECT_TRUE(outcome.failure.empty()) << integrator.name << ": " << outcome.failure;
+  EXPECT_TRUE(outcome.finished && outcome.failure.empty())
+      << integrator.name << ": " << outcome.failure;
   return outcome;
 }
 
+inline Outcome run(const std::string& integrator, const Scene& scene, double control) {
+  return run(find_integrator(integrator), scene, control);
+}
+
 inline Outcome reference(const Scene& scene) {
-  return run(find_integrator("event-driven"), scene, 0.0);
+  return run("event-driven", scene, 0.0);
 }
 
 /// Calls `look(outcome, integrator)` for a finished run of each integrator with hard walls.
@@ -51,24 +55,21 @@ void for_each_run(const Scene& scene, double step, double tolerance, const Look&
 /// The largest difference of the times [s] of fast impacts, those that the scene counts, and their
 /// partners. These are on the same wall, no further apart than half the mean time between the
 /// reference's fast impacts, and at least half as fast as what counts, so that an impact just above
-/// the limit still has one that is slightly slower. Nothing if an impact of either has none.
-inline std::optional<double> time_error(const Scene& scene, const Outcome& outcome,
-                                        const Outcome& reference) {
+/// the limit still has one that is slightly slower. Infinite if an impact of either has none.
+inline double time_error(const Scene& scene, const Outcome& outcome, const Outcome& reference) {
   const double window = 0.5 * duration_of(scene) / std::max(collisions(scene, reference), 1);
   double largest = 0;
-  const auto are_paired = [&](const Outcome& these, const Outcome& those) {
-    const std::vector<Impact> partners = faster(those.impacts, 0.5 * scene.counting_limit);
+  for (const auto& [these, those] : {std::pair(&outcome, &reference), {&reference, &outcome}}) {
+    const std::vector<Impact> partners = faster(those->impacts, 0.5 * scene.counting_limit);
     auto next = partners.begin();
-    for (const Impact& impact : faster(these.impacts, scene.counting_limit)) {
+    for (const Impact& impact : faster(these->impacts, scene.counting_limit)) {
       next = std::find_if(next, partners.end(), [&](const Impact& partner) {
         return partner.wall == impact.wall && std::abs(partner.time - impact.time) <= window;
       });
-      if (next == partners.end()) return false;
+      if (next == partners.end()) return infinity;
       largest = std::max(largest, std::abs((next++)->time - impact.time));
     }
-    return true;
-  };
-  if (!are_paired(outcome, reference) || !are_paired(reference, outcome)) return std::nullopt;
+  }
   return largest;
 }
 
@@ -80,13 +81,7 @@ inline Scene paper_scene(const std::string& id, double omega) {
 inline Scene bouncing_ball() {
   return with(falling_ball(50, 9.8, 0.8), set::seconds(40));
 }
-
-/// Time [s] of impact k = 0, 1, ... of the bouncing ball.
-inline double bounce_time(std::size_t k) {
-  const double e = 0.8;
-  return std::sqrt(2 * 50.0 / 9.8) * (1 + e - 2 * std::pow(e, static_cast<double>(k) + 1)) /
-         (1 - e);
-}
+inline const std::vector<Bounce> bounces = bounces_of(50, 9.8, 0.8, 20);
 
 /// A block that slides to and fro, 1 m from each wall, with friction 0.25 x 2 N on 0.8 kg.
 inline Scene block() {

@@ -17,6 +17,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # A global of one file is none to the next, though both are compiled at once.
   list(APPEND warnings -Wconversion $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread)
+  # To collect garbage first at 600 MB takes 200 MB more, and a tenth of the time less.
+  target_compile_options(ricochet_options INTERFACE --param=ggc-min-heapsize=600000)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(APPEND warnings -Wno-overlength-strings)  # an embedded data file is one string
 endif()

@@ -29,6 +29,7 @@ std::string normal(std::string text) {
       {std::regex(R"(by .+ with ricochet .+ on 20[0-9-]+)"), "by WHOM with VERSION on DATE"},
       {std::regex(R"(It took [0-9.]+ m?s)"), "It took TIME"},
       {std::regex(R"(("seconds": ?)[-0-9.e]+)"), "$1TIME"},
+      {std::regex("[^\n]+: [0-9]+ %, [^\n]+\n"), ""},  // progress, which slow machines print
       {std::regex(RICOCHET_SOURCE), "SOURCE"}};
   text = std::regex_replace(text, std::regex(here().string() + "/?"), "");
   for (const auto& [found, placeholder] : placeholders) {

@@ -79,7 +79,7 @@ class Audit {
       }
     }
     // From the bottom up, so that every arrow leads to what is known.
-    for (const Line& line : drawing.parts | std::views::reverse) read_part(line);
+    for (auto line = drawing.parts.rbegin(); line != drawing.parts.rend(); ++line) read_part(*line);
     for (const Line& line : drawing.libraries) read_library(line);
     for (const File& file : files) {
       check_includes(file);

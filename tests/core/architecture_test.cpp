@@ -1,4 +1,3 @@
-#include <ranges>
 #include <regex>
 
 #include "tests/support/files.h"

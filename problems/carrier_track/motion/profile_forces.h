@@ -103,7 +103,10 @@ class ProfileForces {
                 const Harmonic<Scalar>& disturbance)
       : knots_(&scene.profile),
         now_{plate, disturbance, scene.phase, scene.profile.front().omega, slope_to(0)},
-        still_(still()) {}
+        still_(still()) {
+    // A body at rest at a knot is pushed as after it.
+    if (value(left_of_leg()) == 0) pass(constant<Scalar>(0.0));
+  }
 
   const std::vector<SpeedKnot<Scalar>>& knots() const { return *knots_; }
 

@@ -230,5 +230,27 @@ TEST(ProfileForces, ASpinUpWithoutOtherForcesActsThroughTheSlidersAlone) {
   EXPECT_NEAR(record(scene, 0.25, 0).end.position, expected, 1e-13);
 }
 
+TEST(ProfileForces, AtAKnotAtTheStartAreThoseAfterIt) {
+  // As above, from rest: the first ramp may push the body the other way than a constant speed.
+  int reversed = 0;
+  for_random(3, 300, [&](RandomScenes& draws) {
+    const double phase = draws.within(-4, 4), end = draws.within(0.1, 2);
+    const double first = draws.within(0.3, 5), last = draws.within(0.3, 5);
+    const Scene scene =
+        with(Scene{}, set::mass(1.3), set::walls(-100, 100), set::start(0.5, 0), set::friction(0),
+             set::pull(0), set::slider_mass_radius(0.4), set::phase(phase), set::seconds(end),
+             set::profile(Knots{{0.0, first}, {end, last}}));
+    const double steady = first * first * std::cos(phase);
+    const double ramp = (last - first) / end * std::sin(phase);
+    reversed += steady * (steady + ramp) < 0;
+    const double alpha = phase + (first + last) / 2 * end;
+    const double share = 0.4 / 1.3;
+    const double expected =
+        0.5 + share * (std::cos(alpha) - std::cos(phase)) + share * std::sin(phase) * first * end;
+    ASSERT_NEAR(record(scene, 0.25, 0).end.position, expected, 1e-12);
+  });
+  EXPECT_GT(reversed, 30);
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

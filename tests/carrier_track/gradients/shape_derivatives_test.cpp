@@ -203,6 +203,60 @@ TEST(ShapeDerivatives, OfSecondOrderAreThoseOfDualNumbers) {
   EXPECT_GT(agreement.equal_share(), 0.9);
 }
 
+/// Central differences of a step.
+template <class EventSum>
+Vector differences(const SumOfShape<EventSum>& f, const Vector& x, double step) {
+  Vector slopes(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Vector by = step * Vector::Unit(x.size(), i);
+    slopes[i] = (value_of(f, Vector(x + by)) - value_of(f, Vector(x - by))) / (2 * step);
+  }
+  return slopes;
+}
+
+/// Compares a gradient with differences where it is not in doubt and they do not depend on their
+/// step. Returns true if it does.
+template <class EventSum>
+bool expect_gradient_of_differences(const SumOfShape<EventSum>& f, const Vector& x) {
+  const Gradient gradient = f.gradient(x);
+  if (gradient.trust.doubt != GradientDoubt::none) return false;
+  const Vector slopes = differences(f, x, 1e-6);
+  for (const double step : {1e-5, 1e-7}) {
+    if ((differences(f, x, step) - slopes).norm() > 1e-4 * slopes.norm()) return false;
+  }
+  EXPECT_LT((gradient.gradient - slopes).norm(), 3e-4 * slopes.norm());
+  return true;
+}
+
+TEST(ShapeDerivatives, AreThoseOfDifferencesInAnyScene) {
+  RandomScenes draws(9);
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const auto f = random_sum(draws);
+    compared += expect_gradient_of_differences(f, random_shape(3, draws));
+  }
+  EXPECT_GT(compared, 80);
+}
+
+/// Speeds that differ much push a body at rest the other way than the first of them alone.
+TEST(ShapeDerivatives, AreThoseOfDifferencesForABodyThatStartsAtRest) {
+  RandomScenes draws(10);
+  int compared = 0;
+  for (int i = 0; i < 600; ++i) {
+    SCOPED_TRACE(i);
+    auto f = random_sum(draws);
+    const double omega = f.scene.omega;
+    f.scene =
+        with(f.scene, set::start(f.scene.start_position, 0), set::pull(0.3 * f.scene.pull),
+             set::friction(0), set::slider_mass_radius(draws.within(0.3, 1) / (omega * omega)),
+             set::seconds(draws.within(0.5, 2) / omega));
+    f.frame.seconds = duration_of(f.scene);
+    compared += expect_gradient_of_differences(f, random_shape(4, draws));
+  }
+  EXPECT_GT(compared, 200);
+}
+
 /// Times of impacts that are not slow.
 std::vector<double> impact_times(const Scene& scene) {
   std::vector<double> times;

@@ -123,8 +123,7 @@ class Search {
     double least_step = bounds.shortest_step;
     double step = step_bound(speed_, acceleration_, bounds.jerk);
     if (speed_ <= 0) {  // starts from rest with the force just above friction
-      // Not where a jump of the forces pulls it back: it would pass its turning point.
-      if (jerk_ > 0 && acceleration_ >= -noise_) step = std::max(step, 3 * jerk_ / bounds.snap);
+      if (jerk_ > 0) step = std::max(step, 3 * jerk_ / bounds.snap);
       step = std::max(step, bounds.shortest_step);
     }
     for (;;) {

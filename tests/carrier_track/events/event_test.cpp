@@ -177,16 +177,6 @@ TEST(EventTest, LetsABodyAtRestSetOutUnderAForceThatOnlyGrows) {
   }
 }
 
-TEST(EventTest, TurnsABodyAtRestAtOnceThatTheForcesPullBack) {
-  for_random(7, 500, [&](RandomScenes& draws) {
-    const Flight<double> flight = random_flight(draws);
-    const int direction = flight.acceleration() > 0 ? -1 : 1;
-    const Event turn = first_event(flight, direction, 1, 5);
-    EXPECT_EQ(turn.kind, EventKind::turn);
-    ASSERT_LT(turn.time, 1e-7);
-  });
-}
-
 TEST(DepartureTest, IsTheFirstThatDenseSamplingFinds) {
   int departures = 0;
   for_random(3, 2000, [&](RandomScenes& draws) {

@@ -82,9 +82,10 @@ TEST(Warning, IsWrittenOnceForEachTextAndSteersNoTerminal) {
   end_tidily_when_interrupted();
   for (int time = 0; time < 2; ++time) {
     kill(getpid(), SIGINT);
-    usleep(50'000);
+    usleep(10'000);
   }
   if (treated_before == SIG_DFL) sleep(10);
+  usleep(100'000);
   std::exit(7);
 }
 

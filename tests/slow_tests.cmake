@@ -31,14 +31,16 @@ set(RICOCHET_SLOW_TESTS
   StrangersFolder.IsNoPlaceToGoOnWhereItsFilesAreLinks
   TimeLimit.SaysWhatSimulationAloneTellsOfTheRest TimeLimit.SaysInJsonWhatIsNotComplete Verify.*)
 
-# What the sanitizers do without, beside these: endless and repeated runs, whose parts are tested too.
+# What the sanitizers do without, beside these: endless and repeated runs, whose parts are tested too; comparisons with
+# libraries; and Ipopt in the contracts of all solvers, for its large blocks of memory take most of their time there.
 set(RICOCHET_TESTS_NOT_SANITIZED
-  *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds HardSearch.JudgesAMachineAsItsFileSays
-  *HasConverged/nlopt_direct* *DerivativeIsNotFinite/ipopt_* *DerivativeIsNotFinite/continuation_*
+  *Contract.*ipopt* *DirectComparison* *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds
+  HardSearch.JudgesAMachineAsItsFileSays *HasConverged/nlopt_direct*
   *DeclaredCapabilities.* *GivesTheSameTraceForTheSameRun* *GivesTheSameTracesInTwoThreads*
-  Varied.GivesIpoptItsOwnOptions */dlib_global_search *StaysInBoxes*/*ipopt* *Adapters.ReachTheseOptima/ipopt
-  QuietSpeed.IsTheEndOfTwoCollisionsATurnInTheLongRun
-  *AsksTheSameWhereverItsMemoryLies/*ipopt* *SpendsItsBudgetAndNoMore/*ipopt*
+  Varied.GivesIpoptItsOwnOptions */dlib_global_search *Adapters.ReachTheseOptima/ipopt
+  QuietSpeed.IsTheEndOfTwoCollisionsATurnInTheLongRun QuietSpeed.IsMissingWhereEverySpeedIsLoud
+  CompleteScan.HoldsAtEverySpeedLookedAt Trust.ReachesToWhereTheMotionChanges
+  ShapeDerivatives.AreThoseOfDualNumbers Derivatives.OfSecondOrderAreThoseOfDifferencesOfTheFirst
   MachineGrid.AsksOfEveryCombinationWhatItSays Varied.TellsWhatIsUsual
   Continuation.FindsTheEndOfAPlateauThatItsSolverMisses
   QuietRule.GivesTheWindowTheBorderOfTheLongRun Regimes.HaveBordersThatLongSimulationsBracket

@@ -9,13 +9,13 @@ namespace {
 
 const std::string talker = RICOCHET_FOLDER "/talker";
 
-/// A script that greets, and then does what its lines say; `say` writes a line, `hear` reads one,
+/// A script that greets, and then does what its lines say; `say` writes a line, `hear` reads one or ends,
 /// and `note` reads one that heard() tells. `ask` asks for a point.
 struct Speaker {
   explicit Speaker(const std::string& lines, const std::string& greeting = R"({"name": "mine"})") {
     write_file(folder / "script.sh", "HERE=" + folder.string() + R"(
 say() { echo "$1"; }
-hear() { read -r heard; }
+hear() { read -r heard || exit 0; }
 note() { hear; say "$heard" >> $HERE/heard; }
 ask() { say '{"ask": [1, 2]}'; hear; }
 say ')" + greeting + "'\n" + lines + "\n");

@@ -34,7 +34,8 @@ set(RICOCHET_SLOW_TESTS
 # What the sanitizers do without, beside these: endless and repeated runs, whose parts are tested too; comparisons with
 # libraries; and Ipopt in the contracts of all solvers, for its large blocks of memory take most of their time there.
 set(RICOCHET_TESTS_NOT_SANITIZED
-  *Contract.*ipopt* *DirectComparison* *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds
+  *Contract.*ipopt* *DirectComparison* *WhatTheLibraryReturns* *AsksTheSameWhereverItsMemoryLies*
+  *MethodsEndWithAReason* QuietSpeed.IsTheSameWhereverTheRangeEnds
   HardSearch.JudgesAMachineAsItsFileSays *HasConverged/nlopt_direct*
   *DeclaredCapabilities.* *GivesTheSameTraceForTheSameRun* *GivesTheSameTracesInTwoThreads*
   Varied.GivesIpoptItsOwnOptions */dlib_global_search *Adapters.ReachTheseOptima/ipopt

@@ -9,8 +9,8 @@ namespace {
 
 const std::string talker = RICOCHET_FOLDER "/talker";
 
-/// A script that greets, and then does what its lines say; `say` writes a line, `hear` reads one or ends,
-/// and `note` reads one that heard() tells. `ask` asks for a point.
+/// A script that greets, and then does what its lines say; `say` writes a line, `hear` reads one or
+/// ends, and `note` reads one that heard() tells. `ask` asks for a point.
 struct Speaker {
   explicit Speaker(const std::string& lines, const std::string& greeting = R"({"name": "mine"})") {
     write_file(folder / "script.sh", "HERE=" + folder.string() + R"(

@@ -82,6 +82,16 @@ TEST_P(ConstraintContract, ReturnsFeasiblePointsWhereItSaysThatItHasConverged) {
   }
 }
 
+TEST_P(ConstraintContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
+  if (!solver().accepts(disc())) GTEST_SKIP() << "it takes no such problem";
+  // With 1000 evaluations dynFWA gets to its seventh generation only.
+  const bool stochastic = solver().stochastic;
+  const TrueValues best = best_of(run(disc(), solver(), {stochastic ? 5000 : 1000}, 0));
+  EXPECT_EQ(best.violation, 0.0);
+  EXPECT_GE(best.objective, -std::sqrt(2.0) - constraint_tolerance);
+  EXPECT_LT(best.objective, stochastic ? -1.3 : -1.39);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ConstraintContract,
                          testing::ValuesIn(solvers_that([](const Solver& solver) {
                            return solver.accepts(pocket(1)) || solver.accepts(pocket(2));

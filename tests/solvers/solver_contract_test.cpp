@@ -296,16 +296,6 @@ TEST_P(SolverContract, GetsPastValuesThatAreNotNumbers) {
   EXPECT_GT(numbers, 10);
 }
 
-TEST_P(SolverContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
-  if (!solver().accepts(disc())) GTEST_SKIP() << "it takes no such problem";
-  // With 1000 evaluations dynFWA gets to its seventh generation only.
-  const bool stochastic = solver().stochastic;
-  const TrueValues best = best_of(run(disc(), solver(), {stochastic ? 5000 : 1000}, 0));
-  EXPECT_EQ(best.violation, 0.0);
-  EXPECT_GE(best.objective, -std::sqrt(2.0) - constraint_tolerance);
-  EXPECT_LT(best.objective, stochastic ? -1.3 : -1.39);
-}
-
 /// Those of the benchmark and two from outside, which are loaded when they are first asked.
 std::vector<Solver> solvers_from_everywhere() {
   std::vector<Solver> solvers = all_solvers();

@@ -191,15 +191,17 @@ TEST(ShapeDerivatives, AreThoseOfDualNumbersInAnyScene) {
 TEST(ShapeDerivatives, OfSecondOrderAreThoseOfDualNumbers) {
   RandomScenes draws(7);
   DualAgreement agreement(3);
-  for_each_case({2, 4, 16}, 2, draws, [&](const auto& f, const Vector& x) {
+  const auto compare = [&](const auto& f, const Vector& x) {
     expect_curvature_of_duals(f, x, draws, agreement);
-  });
+  };
+  for_each_case({2, 4}, 2, draws, compare);
+  for_each_case({16}, 1, draws, compare);  // these take nearly all of the time
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE(i);
     const auto f = random_sum(draws);
     expect_curvature_of_duals(f, random_shape(i % 2 == 0 ? 3 : 12, draws), draws, agreement);
   }
-  EXPECT_EQ(agreement.compared(), 204);
+  EXPECT_EQ(agreement.compared(), 180);
   EXPECT_GT(agreement.equal_share(), 0.9);
 }
 

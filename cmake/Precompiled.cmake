@@ -39,6 +39,17 @@ function(ricochet_fast_to_compile)
   ricochet_compile_like(ricochet_fast_headers ${ARGN})
 endfunction()
 
+# ricochet_plain_under_sanitizer(TARGET...): for targets that the address sanitizer's tests run little, and that Clang
+# optimises for minutes there.
+if(RICOCHET_SANITIZE STREQUAL "address")
+  ricochet_headers(ricochet_plain_headers -fPIC -O0)
+endif()
+function(ricochet_plain_under_sanitizer)
+  if(TARGET ricochet_plain_headers)
+    ricochet_compile_like(ricochet_plain_headers ${ARGN})
+  endif()
+endfunction()
+
 # ricochet_compile_the_others(FOLDER...): all other targets of the folders. They compute, as the build type
 # has it, and can be made into a shared library; without the last option GCC would inline less then.
 ricochet_headers(ricochet_headers -fPIC -fno-semantic-interposition)

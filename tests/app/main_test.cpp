@@ -50,7 +50,7 @@ TEST(Main, NeedsNoStandardError) {
     EXPECT_THAT(out_of("run plan.toml --out made " + streams), HasSubstr("\ndigest ")) << streams;
     for (const std::string arguments :
          {"digest made", "threshold --case C1", "simulate --case C1",
-          "solve mads count-C1 --budget 20", "verify --scenes 10", "report made"}) {
+          "solve mads count-C1 --budget 20", "surrogate --quick", "report made"}) {
       out_of(arguments + " " + streams);
     }
     EXPECT_EQ(call("simulate --case C77 " + streams).exit_code, 2) << streams;
@@ -71,7 +71,7 @@ TEST(Main, SendsEscapesOnlyToATerminalThatTakesThem) {
   EXPECT_THAT(on_terminal("TERM=xterm", drawn), HasSubstr("\x1b[K"));
   EXPECT_THAT(on_terminal("TERM=xterm NO_COLOR=1", wrong), Not(HasSubstr("\x1b")));
   for (const char* environment : {"TERM=dumb", "-u TERM", "TERM="}) {
-    for (const std::string& command : {wrong, drawn, std::string("verify --scenes 3000")}) {
+    for (const std::string& command : {wrong, drawn, std::string("surrogate --quick")}) {
       const std::string shown = on_terminal(environment, command);
       EXPECT_NE(shown, "");
       EXPECT_THAT(shown, Not(HasSubstr("\x1b"))) << environment << command;

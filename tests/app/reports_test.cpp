@@ -129,11 +129,11 @@ TEST(Verify, ShowsOneSceneWithBothListsOfImpacts) {
   EXPECT_EQ(json_of("simulate --scene scene.toml")["count"], json["count"]);
 }
 
-TEST(Verify, TellsOfTheCoresThatItMayUse) {
+TEST(Manifest, TellsOfTheCoresThatItMayUse) {
   if (const auto reason = no_other_programs(); !reason.empty()) GTEST_SKIP() << reason;
   // The last of the cores that the shell may use.
   const Outcome outcome = call_in_shell(
-      "taskset -c $(taskset -cp $$ | grep -o '[0-9]*$') ricochet verify --scenes 1 --out report");
+      "taskset -c $(taskset -cp $$ | grep -o '[0-9]*$') ricochet surrogate --quick --out report");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(read("report/data.json"), HasSubstr("\"threads\":1,"));
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import os
@@ -179,6 +180,9 @@ class _Lines:
         self._to = os.fdopen(os.dup(1), "wb", buffering=0)
         self._from = sys.stdin.buffer
         os.dup2(2, 1)
+        if isinstance(sys.stdout, io.TextIOWrapper):
+            # At once: what is kept is lost if the program is killed.
+            sys.stdout.reconfigure(line_buffering=True)
 
     def say(self, message: Dict[str, Any]) -> None:
         self._to.write(json.dumps(message, allow_nan=False).encode() + b"\n")

@@ -364,6 +364,7 @@ bool initialise() {
                                  {"OMPI_MCA_mtl", "^ofi"},
                                  {"OMPI_MCA_osc", "^ucx"},
                                  {"OMPI_MCA_coll", "basic,self,libnbc"},
+                                 {"HWLOC_HIDE_ERRORS", "2"},  // without /sys it would print one
                                  {"PETSC_OPTIONS", std::nullopt}});
   const SignalHandlers handlers;
   int there = 0;

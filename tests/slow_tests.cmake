@@ -14,13 +14,14 @@ set(RICOCHET_SLOW_TESTS
   HockSchittkowskiTolerance.*
   # solvers
   Varied.AsksForTheSame* Varied.MakesAnotherRunWithEveryOption Varied.RefusesWhatThisIpoptWasBuiltWithout
-  *DeclaredCapabilities.*/dlib_global_search Plugin.IsRefusedWhereLoadingItNeverEnds
-  *DirectComparison*/ipopt* *AtLimitContract*/continuation_ipopt_tuned *DerivativeIsNotFinite/ipopt_tuned
+  *DeclaredCapabilities.*/dlib_global_search *DeclaredCapabilities.*/ipopt* Plugin.IsRefusedWhereLoadingItNeverEnds
+  *DirectComparison*/ipopt* *AtLimitContract*/continuation_ipopt_tuned *DerivativeIsNotFinite/*ipopt*
   LineProgram.IsReportedWhileItIsWaitedForNoLongerThanItIsTold
   # stores
-  ArchiveFile.IsRefusedIfAStrangerMadeItOtherwise
+  ArchiveFile.IsRefusedIfAStrangerMadeItOtherwise ForgedStores.AreRefusedWhereTheyContradictWhatIsKnown
   # studies
   IdentifiedMachine.IsFoundThroughFaultsOfTheMeasurement IdentifiedMachine.SaysWhatARecordContradicts
+  SimulatorsStudy.FillsItsPage HardSearch.FoundTheFastestQuietSpeedBeyondLoudOnes
   ${together}
   # commands
   Bench.* CampaignCommands.KeepAMachineOfTheUsersInTheStore

@@ -75,7 +75,7 @@ void draw(Results& results) {
 /// ricochet's own, and the tools that can be started. The others are noted.
 std::vector<Simulator> simulators_of(Results& results) {
   std::vector<Simulator> simulators = own_simulators();
-  for (const std::string& name : methods_not_built())
+  for (const std::string& name : carrier_track::reference_integrators::methods_not_built())
     results.missing.add(name, "ricochet was built without SUNDIALS");
   for (const Tool& tool : results.plan.tools) {
     const FoundTool found = found_tool(tool, results.plan.folder / "drivers");

@@ -107,13 +107,14 @@ TEST(Worker, GivesASolverNoMoreMemoryThanAllowed) {
   GTEST_SKIP() << "the sanitizers' own memory knows no limit";
 #endif
 #endif
+  // More than the tests before may have left in this process.
   const auto eats = [] {
     std::vector<std::unique_ptr<char[]>> meals;
-    for (int k = 0; k < 30; ++k) meals.push_back(std::make_unique<char[]>(1 << 20));
+    for (int k = 0; k < 150; ++k) meals.push_back(std::make_unique<char[]>(1 << 20));
   };
   EXPECT_THAT(failure_of(eats, {60, 16}), StartsWith("out of memory"));
   const auto does_not_look = [] {
-    for (int k = 0; k < 30; ++k) static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
+    for (int k = 0; k < 150; ++k) static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
   };
   EXPECT_THAT(failure_of(does_not_look, {60, 16}), StartsWith("crashed: "));
   EXPECT_THAT(failure_of(eats, {60, 200}), IsEmpty());

@@ -158,24 +158,50 @@ using Texts = std::map<std::string, double>;
 
 /// With a blank, two, or none.
 TEST(Quantity, IsInTheSiUnitWhateverUnitItIsGivenIn) {
-  const auto expect_exact = [](const std::string& unit, const Texts& texts) {
+  const std::map<std::string, Texts> exact = {
+      {"m",
+       {{"0.8 mm", 0.8e-3},
+        {"80 um", 80e-6},
+        {"6.5 cm", 6.5e-2},
+        {"inf m", infinity},
+        {"0.8mm", 0.8e-3},
+        {"1e-3m", 1e-3},
+        {"infm", infinity}}},
+      {"kg", {{"1.2 kg", 1.2}, {"900 g", 0.9}, {"1e-3  kg", 1e-3}, {"1kg", 1.0}}},
+      {"N", {{"9.81 N", 9.81}, {"-10 mN", -10e-3}, {"-5e3mN", -5.0}, {"0.3 kN", 300.0}}},
+      {"m/s", {{"2 m/s", 2.0}, {"5 mm/s", 5e-3}, {"5mm/s", 5e-3}, {"7 cm/s", 7e-2}}},
+      {"s", {{"3 s", 3.0}, {"1.5 ms", 1.5e-3}, {"2 min", 120.0}, {"2.min", 120.0}}}};
+  const std::map<std::string, Texts> near = {{"rad", {{"2 rad", 2.0}, {"30 deg", pi / 6}}},
+                                             {"rad/s",
+                                              {{"2 rad/s", 2.0},
+                                               {"120 rpm", 4 * pi},
+                                               {"60rpm", 2 * pi},
+                                               {"2 Hz", 4 * pi},
+                                               {"90 deg/s", pi / 2}}},
+                                             {"kg m",
+                                              {{"2 kg m", 2.0},
+                                               {"78 g m", 0.078},
+                                               {"78g m", 0.078},
+                                               {"0.33 kg mm", 3.3e-4},
+                                               {"4 g mm", 4e-6}}}};
+  for (const auto& [unit, texts] : exact) {
     for (const auto& [text, value] : texts) EXPECT_EQ(quantity(text, unit), value) << text;
-  };
-  expect_exact("m",
-               {{"0.8 mm", 0.8e-3}, {"80 um", 80e-6}, {"6.5 cm", 6.5e-2}, {"inf m", infinity}});
-  expect_exact("m", {{"0.8mm", 0.8e-3}, {"1e-3m", 1e-3}, {"infm", infinity}});
-  expect_exact("kg", {{"1.2 kg", 1.2}, {"900 g", 0.9}, {"1e-3  kg", 1e-3}, {"1kg", 1.0}});
-  expect_exact("N", {{"9.81 N", 9.81}, {"-10 mN", -10e-3}, {"-5e3mN", -5.0}});
-  expect_exact("m/s", {{"5 mm/s", 5e-3}, {"5mm/s", 5e-3}});
-  expect_exact("s", {{"1.5 ms", 1.5e-3}, {"2 min", 120.0}, {"2.min", 120.0}});
-  const auto expect_near = [](const std::string& unit, const Texts& texts) {
+  }
+  for (const auto& [unit, texts] : near) {
     for (const auto& [text, value] : texts) {
       EXPECT_DOUBLE_EQ(quantity(text, unit).value_or(quiet_nan), value) << text;
     }
-  };
-  expect_near("rad", {{"30 deg", pi / 6}});
-  expect_near("rad/s", {{"120 rpm", 4 * pi}, {"60rpm", 2 * pi}, {"2 Hz", 4 * pi}});
-  expect_near("kg m", {{"78 g m", 0.078}, {"78g m", 0.078}, {"0.33 kg mm", 3.3e-4}});
+  }
+  // None is left out.
+  for (const auto* tried : {&exact, &near}) {
+    for (const auto& [unit, texts] : *tried) {
+      for (const std::string_view name : units_for(unit)) {
+        EXPECT_TRUE(std::ranges::any_of(texts, [name](const auto& entry) {
+          return entry.first.ends_with(fmt::format(" {}", name));
+        })) << name;
+      }
+    }
+  }
 }
 
 TEST(Quantity, IsNothingElse) {

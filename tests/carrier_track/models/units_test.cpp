@@ -1,0 +1,96 @@
+#include "tests/carrier_track/models/watch.h"
+#include "tests/support/scenes.h"
+#include "tests/support/test.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+/// The units in which a scene is written, in SI units. Powers of two change no digit of a number.
+struct Units {
+  double kilogram, metre, second;
+};
+
+Scene written_in(const Units& units, Scene scene) {
+  const double m = units.metre;
+  const double speed = m / units.second;
+  const double frequency = 1 / units.second;
+  const double newton = units.kilogram * speed / units.second;
+  scene.mass *= units.kilogram;
+  for (double* length : {&scene.wall_lower, &scene.wall_upper, &scene.start_position,
+                         &scene.peak_high, &scene.peak_low}) {
+    *length *= m;
+  }
+  for (double* force : {&scene.normal_force, &scene.pull, &scene.disturbance}) *force *= newton;
+  scene.centrifugal_mass_radius *= units.kilogram * m;
+  scene.slider_mass_radius *= units.kilogram * m;
+  scene.start_velocity *= speed;
+  scene.counting_limit *= speed;
+  if (scene.contact_speed) *scene.contact_speed *= speed;
+  scene.omega *= frequency;
+  scene.disturbance_frequency *= frequency;
+  scene.stiffness *= newton / std::pow(m, scene.contact_exponent);
+  for (auto& knot : scene.profile) knot.time *= units.second, knot.omega *= frequency;
+  if (auto* seconds = std::get_if<Seconds>(&scene.window)) seconds->count *= units.second;
+  if (scene.across) {
+    scene.across->pull *= newton;
+    for (double* length :
+         {&scene.across->wall_lower, &scene.across->wall_upper, &scene.across->start_position}) {
+      *length *= m;
+    }
+    scene.across->start_velocity *= speed;
+  }
+  return scene;
+}
+
+/// A tolerance that is not relative would show: times of 1e-6 s and of 1e3 s, lengths of 1 um.
+constexpr Units others[] = {{1, 1, 0x1p-16}, {1, 1, 0x1p8}, {0x1p-5, 0x1p-8, 0x1p-3}};
+
+template <class Draw>
+void expect_the_same_in_other_units(int seed, int scenes, const Draw& draw) {
+  std::size_t impacts = 0;
+  for_random(seed, scenes, [&](RandomScenes& draws) {
+    // So low that the resting speed, 1e-9 m/s in any units, is given by it.
+    const Scene scene = with(draw(draws), set::counting_limit(1e-12));
+    const auto told = watch(scene);
+    impacts += told.hits.size();
+    for (const Units& units : others) {
+      const double speed = units.metre / units.second;
+      const auto again = watch(written_in(units, scene));
+      ASSERT_EQ(again.hits.size(), told.hits.size()) << units.second;
+      for (std::size_t i = 0; i < told.hits.size(); ++i) {
+        ASSERT_EQ(again.hits[i].wall, told.hits[i].wall);
+        ASSERT_EQ(again.hits[i].time / units.second, told.hits[i].time);
+        ASSERT_EQ(again.hits[i].speed / speed, told.hits[i].speed);
+      }
+      ASSERT_EQ(again.end.time / units.second, told.end.time);
+      ASSERT_EQ(again.end.position / units.metre, told.end.position);
+      ASSERT_EQ(again.end.velocity / speed, told.end.velocity);
+    }
+  });
+  EXPECT_GT(impacts, 100U);
+}
+
+TEST(Units, OfMassLengthAndTimeChangeNoBitOfTheImpactModel) {
+  expect_the_same_in_other_units(31, 300, [](RandomScenes& draws) { return draws.next(); });
+}
+
+TEST(Units, OfMassLengthAndTimeChangeNoBitOfThePlanarModel) {
+  expect_the_same_in_other_units(32, 100, [](RandomScenes& draws) { return draws.next_planar(); });
+}
+
+/// In walls that are linear springs: a power of a depth is rounded otherwise in other units.
+TEST(Units, OfMassLengthAndTimeChangeNoBitOfTheCompliantModel) {
+  constexpr ContactLaw laws[] = {ContactLaw::hertz, ContactLaw::kelvin_voigt,
+                                 ContactLaw::hunt_crossley, ContactLaw::gonthier};
+  expect_the_same_in_other_units(33, 2000, [&](RandomScenes& draws) {
+    Scene scene = with(draws.next(), set::fidelity(Fidelity::compliant), set::contact_exponent(1.0),
+                       set::stiffness(draws.log_within(1e4, 1e7)));
+    scene.contact_law = laws[draws.below(4)];
+    scene.restitution_lower = std::max(scene.restitution_lower, 0.05);
+    scene.restitution_upper = std::max(scene.restitution_upper, 0.05);
+    return scene;
+  });
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -46,7 +46,8 @@ Scene written_in(const Units& units, Scene scene) {
 constexpr Units others[] = {{1, 1, 0x1p-16}, {1, 1, 0x1p8}, {0x1p-5, 0x1p-8, 0x1p-3}};
 
 template <class Draw>
-void expect_the_same_in_other_units(int seed, int scenes, const Draw& draw, double error = 0) {
+void expect_the_same_in_other_units(std::uint64_t seed, int scenes, const Draw& draw,
+                                    double error = 0) {
   const auto same = [error](double again, double told) { ASSERT_NEAR(again, told, error); };
   std::size_t impacts = 0;
   for_random(seed, scenes, [&](RandomScenes& draws) {

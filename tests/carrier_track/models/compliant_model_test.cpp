@@ -17,11 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr ContactLaw all_laws[] = {ContactLaw::hertz,          ContactLaw::kelvin_voigt,
-                                   ContactLaw::hunt_crossley,  ContactLaw::lankarani_nikravesh,
-                                   ContactLaw::zhiying_qishao, ContactLaw::flores,
-                                   ContactLaw::gonthier,       ContactLaw::exact_restitution};
-
 struct Pressed : Watched<double> {
   void contact(double time, double position, double velocity) {
     samples.push_back({time, position, velocity});
@@ -320,19 +315,6 @@ TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
     }
   }
   EXPECT_GE(compared, 18);
-}
-
-/// A random scene with a random law, stiffness and exponent.
-Scene compliant_scene(RandomScenes& draws) {
-  Scene scene = with(draws.next(), set::fidelity(Fidelity::compliant));
-  scene.contact_law = all_laws[static_cast<std::size_t>(draws.within(0, 7.999))];
-  scene.contact_exponent = draws.chance(0.5) ? 1.5 : draws.within(1.0, 2.5);
-  if (scene.contact_law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
-  scene.stiffness = draws.log_within(1e4, 1e9);
-  if (draws.chance(0.2)) scene.contact_speed = draws.log_within(0.01, 1.0);
-  scene.restitution_lower = std::max(scene.restitution_lower, 0.05);
-  scene.restitution_upper = std::max(scene.restitution_upper, 0.05);
-  return scene;
 }
 
 double depth_in_walls(const Scene& scene, double position) {

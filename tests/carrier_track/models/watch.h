@@ -4,6 +4,7 @@
 #include "problems/carrier_track/motion/impact_model.h"
 #include "problems/carrier_track/motion/simulate.h"
 #include "ricochet/machine.h"
+#include "tests/support/scenes.h"
 #include "tests/support/test.h"
 
 namespace ricochet::carrier_track {
@@ -85,6 +86,25 @@ void for_random(std::uint64_t seed, int trials, const Look& look) {
     SCOPED_TRACE(i);
     look(draws);
   }
+}
+
+inline constexpr ContactLaw all_laws[] = {
+    ContactLaw::hertz,          ContactLaw::kelvin_voigt,
+    ContactLaw::hunt_crossley,  ContactLaw::lankarani_nikravesh,
+    ContactLaw::zhiying_qishao, ContactLaw::flores,
+    ContactLaw::gonthier,       ContactLaw::exact_restitution};
+
+/// A random scene with a random law, stiffness and exponent.
+inline Scene compliant_scene(RandomScenes& draws) {
+  Scene scene = with(draws.next(), set::fidelity(Fidelity::compliant));
+  scene.contact_law = all_laws[static_cast<std::size_t>(draws.within(0, 7.999))];
+  scene.contact_exponent = draws.chance(0.5) ? 1.5 : draws.within(1.0, 2.5);
+  if (scene.contact_law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
+  scene.stiffness = draws.log_within(1e4, 1e9);
+  if (draws.chance(0.2)) scene.contact_speed = draws.log_within(0.01, 1.0);
+  scene.restitution_lower = std::max(scene.restitution_lower, 0.05);
+  scene.restitution_upper = std::max(scene.restitution_upper, 0.05);
+  return scene;
 }
 
 /// Without those so slow that a body which glides back onto its wall strikes it, or not, by

@@ -1,6 +1,7 @@
 # The compiler options of all our own targets, as one interface target; who links our libraries has none of it.
 set(RICOCHET_SANITIZE "" CACHE STRING "Sanitizers to build with: address (undefined behaviour too) or thread")
 set_property(CACHE RICOCHET_SANITIZE PROPERTY STRINGS "" address thread)
+set(RICOCHET_SANITIZE_ROOMS "" CACHE STRING "Rooms of tests/ that the sanitizers look at; all unless told otherwise")
 include(GNUInstallDirs)
 
 add_library(ricochet_options INTERFACE)
@@ -26,9 +27,10 @@ target_compile_options(ricochet_options INTERFACE ${warnings})
 if(RICOCHET_SANITIZE STREQUAL "address")
   # The three checks left out triple the time to compile; the address sanitizer sees a null pointer
   # that is followed, and x86 needs no alignment.
-  target_compile_options(ricochet_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize=null,vptr,alignment
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize=null,vptr,alignment
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(ricochet_options INTERFACE
+    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:RICOCHET_UNSANITIZED>>>:${sanitizers}>")
   target_link_options(ricochet_options INTERFACE -fsanitize=address,undefined)
   # Under the address sanitizer Eigen allocates in another way, but what pagmo's library allocates is
   # freed here, by its headers.

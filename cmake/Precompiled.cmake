@@ -39,14 +39,16 @@ function(ricochet_fast_to_compile)
   ricochet_compile_like(ricochet_fast_headers ${ARGN})
 endfunction()
 
-# ricochet_plain_under_sanitizer(TARGET...): for targets that the address sanitizer's tests run little, and that Clang
-# optimises for minutes there.
-if(RICOCHET_SANITIZE STREQUAL "address")
-  ricochet_headers(ricochet_plain_headers -fPIC -O0)
+# ricochet_room(ROOM TARGET...): where sanitizers look at some rooms alone, and not at this one, its targets do without
+# them: they are compiled in half the time, and run in a third.
+if(RICOCHET_SANITIZE_ROOMS)
+  ricochet_headers(ricochet_unsanitized_headers -fPIC)
+  set_target_properties(ricochet_unsanitized_headers PROPERTIES RICOCHET_UNSANITIZED ON)
 endif()
-function(ricochet_plain_under_sanitizer)
-  if(TARGET ricochet_plain_headers)
-    ricochet_compile_like(ricochet_plain_headers ${ARGN})
+function(ricochet_room room)
+  if(RICOCHET_SANITIZE_ROOMS AND NOT room IN_LIST RICOCHET_SANITIZE_ROOMS)
+    set_target_properties(${ARGN} PROPERTIES RICOCHET_UNSANITIZED ON)
+    ricochet_compile_like(ricochet_unsanitized_headers ${ARGN})
   endif()
 endfunction()
 

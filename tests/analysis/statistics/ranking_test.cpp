@@ -176,8 +176,9 @@ std::vector<RivalsAhead> noisy_problems(std::size_t number, double noise) {
 }
 
 TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
-  for (const std::size_t number : {4U, 5U, 6U}) {
+  for (const std::size_t number : {4U, 5U, 8U}) {
     const auto problems = noisy_problems(number, 2.5);
+    std::vector<double> correlations;
     const std::size_t half = number / 2;
     double sum = 0, stays = 0, splits = 0;
     // Each problem is in the first half (0), in the second (1) or left out (2).
@@ -196,7 +197,7 @@ TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
         for (const auto& mean : own) means[part].push_back(*mean);
         firsts[part] = first_of(own);
       }
-      sum += *tau(means[0], means[1]);
+      sum += correlations.emplace_back(*tau(means[0], means[1]));
       std::vector<std::size_t> both;
       std::ranges::set_intersection(firsts[0], firsts[1], std::back_inserter(both));
       stays += static_cast<double>(both.size()) /
@@ -207,8 +208,15 @@ TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
     ASSERT_TRUE(order);
     EXPECT_NEAR(order->correlation, sum / splits, 0.01) << number;
     EXPECT_NEAR(order->first_stays, stays / splits, 0.01) << number;
-    EXPECT_LE(order->interval.lower, order->correlation);
-    EXPECT_GE(order->interval.upper, order->correlation);
+    // Beyond each end lie 2.5 % of all halves, as far as 20,000 drawn ones say.
+    const auto share = [&](auto is_there) {
+      return static_cast<double>(std::ranges::count_if(correlations, is_there)) / splits;
+    };
+    const auto [lower, upper] = order->interval;
+    EXPECT_LT(share([l = lower](double c) { return c < l; }), 0.028);
+    EXPECT_GT(share([l = lower](double c) { return c <= l; }), 0.022);
+    EXPECT_LT(share([u = upper](double c) { return c > u; }), 0.028);
+    EXPECT_GT(share([u = upper](double c) { return c >= u; }), 0.022);
   }
 }
 

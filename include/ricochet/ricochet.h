@@ -98,6 +98,26 @@ typedef struct ricochet_solver {
 /** Declared here so that C++ also exports its definition: constants are not exported there. */
 extern const ricochet_solver ricochet_plugin;
 
+/** The values at a point of a problem of your own: arrays for what is asked for, NULL for the rest.
+ * They are NaN before; what stays so has no value. Matrices are row-major. */
+typedef struct ricochet_values_at {
+  int32_t abi; /**< RICOCHET_ABI of the program that asks */
+  int32_t dimension;
+  int32_t constraints;
+  int32_t residuals;
+  double* objective;         /**< with residuals: may be left as it is, for half their squares' sum */
+  double* constraint_values; /**< constraints, in the order of the problem file */
+  double* gradient;          /**< dimension */
+  double* jacobian;          /**< constraints x dimension */
+  double* residual_values;   /**< residuals */
+  double* residual_jacobian; /**< residuals x dimension */
+} ricochet_values_at;
+
+/** The function that a shared library with a problem of your own exports; see
+ * docs/your-own-problem.md. Returns 0, or anything else if there are no values at x (dimension). In
+ * C++ it may throw a std::exception. It is called in a process of its own. */
+int32_t ricochet_evaluate(const double* x, ricochet_values_at* values);
+
 /** RICOCHET_ABI of the library. */
 int32_t ricochet_abi(void);
 /** The version of the library, such as "0.2.0". */

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -98,7 +99,7 @@ void open_sockets(int type, Descriptor& one, Descriptor& other) {
 
 }  // namespace
 
-LineProgram::LineProgram(std::vector<std::string> arguments)
+LineProgram::LineProgram(std::vector<std::string> arguments, const Surroundings& surroundings)
     : maker_(getpid()),
       thread_(std::this_thread::get_id()),
       command_(one_line(fmt::to_string(fmt::join(arguments, " ")))) {
@@ -107,7 +108,15 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   open_pipe(output_, its_output);
   fcntl(input_.number(), F_SETFL, O_NONBLOCK);
   const std::vector<char*> pointers = pointers_to(arguments);
-  process_.emplace([&] { become(pointers.data(), its_input.number(), its_output.number()); });
+  process_.emplace([&] {
+    if (!surroundings.folder.empty() && chdir(surroundings.folder.c_str()) != 0) _exit(126);
+    if (!surroundings.errors.empty()) {
+      const int errors = open(surroundings.errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+      if (errors >= 0) dup2(errors, STDERR_FILENO);
+    }
+    if (surroundings.megabytes) limit_resources(*surroundings.megabytes);
+    become(pointers.data(), its_input.number(), its_output.number());
+  });
 }
 
 LineProgram::LineProgram(int connection, std::string command)
@@ -172,7 +181,12 @@ std::string LineProgram::last_line() const {
 /// Waits for output as long as the patience lasts. Returns false at its end.
 bool LineProgram::waited_for_more(const Patience& patience) {
   const auto notice = static_cast<int>(patience.notice.count());
-  const int limit = patience.limit ? static_cast<int>(patience.limit->count()) * 1000 : forever;
+  int limit = patience.limit ? static_cast<int>(patience.limit->count()) * 1000 : forever;
+  if (patience.until) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(
+        *patience.until - std::chrono::steady_clock::now());
+    limit = static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000'000));
+  }
   if (limit != forever && limit <= notice) return read_more(limit);
   if (read_more(notice)) return true;
   tell_waiting(fmt::format("waiting for {}; {}", command_, last_line()));
@@ -196,6 +210,7 @@ std::optional<std::string_view> LineProgram::line(const Patience& patience) {
     searched = read_.size() - begin_;
     if (searched > longest_line) throw std::runtime_error("a line of more than 4 MiB");
     if (!waited_for_more(patience)) {
+      if (patience.until) throw std::runtime_error("took too long; " + last_line());
       throw std::runtime_error(
           fmt::format("wrote nothing for {} s after {}; {}; are its lines flushed?",
                       patience.limit->count(), patience.after, last_line()));

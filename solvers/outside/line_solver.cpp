@@ -35,8 +35,6 @@ std::optional<SolverTermination> converse(LineProgram& program, Evaluator& evalu
                                           const Vector& start, std::uint32_t seed,
                                           const std::string& first);
 
-namespace {
-
 std::vector<std::string> words_of(const std::string& command) {
   wordexp_t found{};
   const int code = wordexp(command.c_str(), &found, WRDE_NOCMD);
@@ -49,8 +47,6 @@ std::vector<std::string> words_of(const std::string& command) {
   }
   return words;
 }
-
-}  // namespace
 
 std::unique_ptr<LineProgram> WaitingPrograms::take() {
   const std::scoped_lock lock(mutex_);

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -25,14 +26,27 @@ inline constexpr std::size_t longest_line = 4 << 20;
 
 /// How long a line is waited for.
 struct Patience {
-  std::optional<std::chrono::seconds> limit = {};  ///< none: without end
+  std::optional<std::chrono::seconds> limit = {};  ///< of silence; none: without end
   const char* after = "";                          ///< what it is counted from: "it was started"
   std::chrono::milliseconds notice{10'000};        ///< until tell_waiting() is called
+  /// When the line must be there as a whole.
+  std::optional<std::chrono::steady_clock::time_point> until = {};
 };
 
-/// A program that exchanges lines with ricochet through its standard input and output. Its standard
-/// error is that of ricochet. Only the thread that started it may use it; the program, and whatever
-/// it has started, ends at the latest with that thread.
+/// Where and with what a program runs.
+struct Surroundings {
+  std::filesystem::path folder = {};     ///< empty: that of ricochet
+  std::filesystem::path errors = {};     ///< file for its standard error; empty: that of ricochet
+  std::optional<double> megabytes = {};  ///< of memory, besides that of ricochet
+};
+
+/// The words of a command, split as a shell does it, but no shell is used. Throws InputError if it
+/// is not one program with its arguments.
+std::vector<std::string> words_of(const std::string& command);
+
+/// A program that exchanges lines with ricochet through its standard input and output. Only the
+/// thread that started it may use it; the program, and whatever it has started, ends at the latest
+/// with that thread.
 ///
 /// A program that writes without reading, ends, or closes its streams blocks no one. One that does
 /// nothing is waited for, unless there is a limit; tell_waiting() reports it meanwhile.
@@ -40,7 +54,7 @@ class LineProgram {
  public:
   /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no resources
   /// for it. A program that does not exist ends with exit code 127.
-  explicit LineProgram(std::vector<std::string> arguments);
+  explicit LineProgram(std::vector<std::string> arguments, const Surroundings& surroundings = {});
 
   /// Takes over one end of a connection, a socket, at whose other end is a program of this name
   /// that somebody else started.
@@ -58,7 +72,7 @@ class LineProgram {
 
   /// The program's next line, without the newline, valid until the next call of line() or send();
   /// nothing if the program has ended. Throws std::runtime_error if a line is longer than 4 MiB, or
-  /// if none comes within the limit.
+  /// if none comes in time.
   std::optional<std::string_view> line(const Patience& patience = {});
 
   /// The number of lines written by the program and read so far.

@@ -185,16 +185,8 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, none);
 }
 
-/// Where execvp() finds the program; empty if it does not.
-fs::path found_on_path(const std::string& program) {
-  if (program.find('/') != std::string::npos) return program;
-  const char* folders = std::getenv("PATH");
-  std::istringstream list(folders != nullptr ? folders : "/bin:/usr/bin");
-  for (std::string folder; std::getline(list, folder, ':');) {
-    const fs::path file = fs::path(folder.empty() ? "." : folder) / program;
-    if (is_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
-  }
-  return {};
+bool is_program(const fs::path& path) {
+  return is_file(path) && ::access(path.c_str(), X_OK) == 0;
 }
 
 /// Everything that changes if a file is written or replaced.
@@ -242,10 +234,24 @@ std::string Content::changed() const {
   return "";
 }
 
-Content content_of_command(const std::vector<std::string>& words) {
+fs::path program_of(const std::vector<std::string>& words, const fs::path& folder) {
+  const std::string& program = words.front();
+  if (program.find('/') != std::string::npos) {
+    return is_program(folder / program) ? folder / program : fs::path();
+  }
+  const char* folders = std::getenv("PATH");
+  std::istringstream list(folders != nullptr ? folders : "/bin:/usr/bin");
+  for (std::string each; std::getline(list, each, ':');) {
+    const fs::path file = folder / each / program;
+    if (is_program(file)) return file;
+  }
+  return {};
+}
+
+Content content_of_command(const std::vector<std::string>& words, const fs::path& folder) {
   Content content;
-  const fs::path program = found_on_path(words.front());
-  if (is_file(program) && !is_of_the_system(program)) {
+  const fs::path program = program_of(words, folder);
+  if (!program.empty() && !is_of_the_system(program)) {
     content.add_file(program);
   } else {
     content.add_text(fs::path(words.front()).filename().string());
@@ -253,11 +259,11 @@ Content content_of_command(const std::vector<std::string>& words) {
   for (std::size_t k = 1; k < words.size(); ++k) {
     const std::string& word = words[k];
     const std::size_t value = word.find('=') + 1;  // 0: there is no =
-    if (is_file(word)) {
-      content.add_file(word);
-    } else if (value > 0 && is_file(word.substr(value))) {
+    if (is_file(folder / word)) {
+      content.add_file(folder / word);
+    } else if (value > 0 && is_file(folder / word.substr(value))) {
       content.add_text(word.substr(0, value));
-      content.add_file(word.substr(value));
+      content.add_file(folder / word.substr(value));
     } else {
       content.add_text(word);
     }

@@ -67,10 +67,15 @@ class Content {
   FnvHash hash_;
 };
 
-/// What a command consists of: its program, found on PATH, every file that its further words name,
-/// also as --option=FILE, and the words that name none. A program of the system, such as
-/// /usr/bin/python3, counts by its name only.
-Content content_of_command(const std::vector<std::string>& words);
+/// Where a command that is started in `folder` finds its program; empty if there is none.
+std::filesystem::path program_of(const std::vector<std::string>& words,
+                                 const std::filesystem::path& folder = {});
+
+/// What a command that is started in `folder` consists of: its program, found on PATH, every file
+/// that its further words name, also as --option=FILE, and the words that name none. A program of
+/// the system, such as /usr/bin/python3, counts by its name only.
+Content content_of_command(const std::vector<std::string>& words,
+                           const std::filesystem::path& folder = {});
 
 /// Returns true for a file below /usr, but not /usr/local, /bin, /sbin or /lib, wherever symbolic
 /// links lead: the system's packages bring it, and an author does not edit it.

@@ -120,13 +120,15 @@ int cores();
 
 /// Each adds a command, whose help says what it does, with its options; in the file of its name,
 /// but run in campaign.cpp, submit in archive.cpp, site and export in report.cpp, scene in
-/// scene_choice.cpp, replay, merge and digest in verified_runs.cpp, and sample in agreement.cpp.
+/// scene_choice.cpp, replay, merge and digest in verified_runs.cpp, and sample in agreement.cpp,
+/// problem in problem_choice.cpp.
 void add_machine(CommandLine& line);
 void add_simulate(CommandLine& line);
 void add_threshold(CommandLine& line);
 void add_regimes(CommandLine& line);
 void add_identify(CommandLine& line);
 void add_scene(CommandLine& line);
+void add_problem(CommandLine& line);
 void add_list(CommandLine& line);
 void add_solve(CommandLine& line);
 void add_evaluate(CommandLine& line);

@@ -17,10 +17,10 @@
 #include "solvers/outside/line_solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
+#include "src/app/problem_choice.h"
 #include "src/core/instance.h"
 #include "src/core/names.h"
 #include "src/report/json.h"
-#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 
@@ -65,24 +65,13 @@ using outside::longest_line;
 using report::Json;
 
 struct EvaluateOptions {
-  std::string problem;
-  std::string scene_file;             ///< use this machine; empty: no machine of the user
-  std::vector<std::string> settings;  ///< of --set
-  std::string formulation;            ///< its name; empty: original
-  int instance = 0;                   ///< 0: the original problem
-  bool derivatives = false;           ///< return them, too, unless a line says otherwise
-  bool replay = false;                ///< evaluate every point twice, and compare
-  bool describe = false;              ///< describe the problem and evaluate nothing
+  ProblemChoice problem;
+  std::string formulation;   ///< its name; empty: original
+  int instance = 0;          ///< 0: the original problem
+  bool derivatives = false;  ///< return them, too, unless a line says otherwise
+  bool replay = false;       ///< evaluate every point twice, and compare
+  bool describe = false;     ///< describe the problem and evaluate nothing
 };
-
-Problem problem_of(const EvaluateOptions& options) {
-  if (options.scene_file == "-") {
-    throw InputError("--scene -: must be a file, because standard input holds the points");
-  }
-  return named(
-      every_problem(suite_families(options.scene_file, options.settings)), options.problem,
-      "problem", [](const Problem& problem) { return problem.name; }, "`ricochet list problems`");
-}
 
 Json description_of(const Problem& asked, const Formulation& formulation, const Problem& problem) {
   return {
@@ -236,7 +225,10 @@ int evaluate(const EvaluateOptions& options) {
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }
-  const Problem asked = problem_of(options);
+  if (options.problem.scene_file == "-") {
+    throw InputError("--scene -: must be a file, because standard input holds the points");
+  }
+  const Problem asked = choose_problem(options.problem, "evaluate").problem;
   const Formulation formulation = asked.formulation_named(options.formulation);
   const Problem problem = instance(asked.formulated(formulation), options.instance);
   if (options.describe) {
@@ -272,9 +264,7 @@ void add_evaluate(CommandLine& line) {
       "at once are [[1, 2], [3, 4]] or {\"x\": [[1, 2], [3, 4]]}: the answer has a list for each "
       "key.");
   const auto options = std::make_shared<EvaluateOptions>();
-  add_value(command, "problem", options->problem, "A name of `ricochet list problems`", "PROBLEM")
-      ->required();
-  add_scene_file(command, options->scene_file, options->settings);
+  add_problem_choice(command, options->problem);
   command->add_option("--formulation", options->formulation,
                       "Formulation of the problem; default: the true objective");
   add_value(command, "--instance", options->instance,

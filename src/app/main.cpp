@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   add_identify(line);
   add_scene(line);
   line.start_group("solve");
+  add_problem(line);
   add_list(line);
   add_solve(line);
   add_evaluate(line);

@@ -16,6 +16,7 @@
 #include "ricochet/solver.h"
 #include "solvers/outside/outside.h"
 #include "src/app/command_line.h"
+#include "src/app/problem_choice.h"
 #include "src/app/report.h"
 #include "src/core/instance.h"
 #include "src/core/progress.h"
@@ -25,7 +26,6 @@
 #include "src/report/json.h"
 #include "src/report/table.h"
 #include "src/report/text.h"
-#include "src/studies/suite/suite.h"
 
 namespace ricochet::cli {
 namespace {
@@ -35,9 +35,8 @@ constexpr std::int64_t largest_budget = 1'000'000'000;
 using report::Json;
 
 struct SolveOptions {
-  std::string solver, problem;
-  std::string scene_file;              ///< use this machine; empty: no machine of the user
-  std::vector<std::string> settings;   ///< of --set
+  std::string solver;
+  ProblemChoice problem;
   std::string formulation;             ///< its name; empty: the first that the solver accepts
   std::string perturbation = "plain";  ///< disturbs what the solver sees
   std::int64_t budget = 1000;          ///< evaluations
@@ -47,6 +46,7 @@ struct SolveOptions {
   std::string plot;                    ///< SVG file of the improvements
   bool json = false;
   Limits limits;
+  bool seconds_given = false;
 };
 
 Solver solver_of(const std::string& wanted) {
@@ -59,13 +59,14 @@ Solver solver_of(const std::string& wanted) {
 
 /// Throws InputError if what stands first is no solver, but what stands second is.
 void refuse_swapped(const SolveOptions& options) {
+  if (own::is_problem_file(options.problem.name)) return;
   const auto is_solver = [](const std::string& name) {
     const std::vector<Solver> all = all_solvers();
     return outside::is_outside(name) || std::ranges::find(all, name, &Solver::name) != all.end();
   };
-  if (is_solver(options.solver) || !is_solver(options.problem)) return;
+  if (is_solver(options.solver) || !is_solver(options.problem.name)) return;
   throw InputError(fmt::format("{0} {1}: the solver comes first: ricochet solve {1} {0}",
-                               options.solver, options.problem));
+                               options.solver, options.problem.name));
 }
 
 /// The formulation asked for, or the first that the solver accepts.
@@ -139,7 +140,10 @@ Problem watched(const Problem& problem) {
 /// instance, in the coordinates of its perturbation.
 class StatedPoints {
  public:
-  StatedPoints(const SolveOptions& options, Problem stated, const std::string& formulation) {
+  /// `own` is the problem, if it is of a problem file.
+  StatedPoints(const SolveOptions& options, Problem stated, const std::string& formulation,
+               std::optional<own::OwnProblem> own)
+      : own_(std::move(own)) {
     stated.true_values = [point = point_](const Vector& natural) {
       *point = natural;
       return TrueValues{};
@@ -148,12 +152,19 @@ class StatedPoints {
   }
 
   Vector of(const Vector& x) const {
+    const Vector& point = seen_by_program(x);
+    return own_ ? own_->file().stated(point) : point;
+  }
+
+  /// The same, before logarithmic variables of a problem file are taken back.
+  const Vector& seen_by_program(const Vector& x) const {
     true_values_at(seen_, x);
     return *point_;
   }
 
  private:
   std::shared_ptr<Vector> point_ = std::make_shared<Vector>();
+  std::optional<own::OwnProblem> own_;
   Problem seen_;
 };
 
@@ -294,9 +305,9 @@ int solve(const SolveOptions& options) {
   check(options.limits);
   refuse_swapped(options);
   const Solver solver = solver_of(options.solver);
-  const Problem asked = named(
-      every_problem(suite_families(options.scene_file, options.settings)), options.problem,
-      "problem", [](const Problem& q) { return q.name; }, "`ricochet list problems`");
+  const auto [asked, own] = choose_problem(
+      options.problem, fmt::format("{} {} instance {} seed {}", options.solver, options.formulation,
+                                   options.instance, options.seed));
   const Formulation formulation = formulation_of(options, asked, solver);
   const std::string formulation_name = asked.name_of(formulation);
   const Problem problem = featured(
@@ -304,24 +315,39 @@ int solve(const SolveOptions& options) {
   const Problem seen = watched(problem);
   const std::string shown = shown_as(formulation_name, options.perturbation);
   RunRecord record;
-  run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
+  Limits limits = options.limits;
+  if (own) {  // what is kept survives, and the program has limits of its own
+    if (!options.seconds_given) limits.seconds = 1e8;
+    limits.megabytes += own->file().program.megabytes;
+  }
+  run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });
   if (Progress::redraws()) std::fputs("\r\033[K", stderr);
-  const StatedPoints stated(options, asked.formulated(formulation), formulation_name);
+  const StatedPoints stated(options, asked.formulated(formulation), formulation_name, own);
   const Verdict verdict = judge(record, problem, asked.tolerance);
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(record, problem, solver.name + " on " + asked.name);
   write_files(
       {{options.trace, csv_of(trace_of(record, problem, stated))}, {options.plot, plot.svg}});
+  std::optional<OwnAnswer> answer;
+  if (own && !record.trace.empty()) {
+    constexpr std::int64_t repetitions = 10;
+    answer = answer_at(*own, stated.seen_by_program(record.trace.back().x),
+                       std::max(repetitions, options.budget / repetitions));
+    answer->objective = as_said(record.trace.back().true_values.objective, problem);
+  }
   if (options.json) {
-    fmt::print(
-        "{}\n",
-        json_of(record, verdict, formulation_name, options.perturbation, problem, stated).dump(2));
+    Json data = json_of(record, verdict, formulation_name, options.perturbation, problem, stated);
+    if (own) data.update(json_of(*own, answer));
+    fmt::print("{}\n", data.dump(2));
   } else {
     print(record, verdict, formulation_name, options.perturbation, problem, stated);
+    if (answer) fmt::print("{}", in_words(*own, *answer));
+    if (own) fmt::print("{}", evaluations_in_words(*own));
   }
   report::require_none(plot.failures);
   if (!record.failure.empty()) throw std::runtime_error(record.failure);
+  if (own && record.trace.empty()) throw std::runtime_error("no evaluation had a value");
   return 0;
 }
 
@@ -334,14 +360,13 @@ void add_solve(CommandLine& line) {
                "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
                "  ricochet solve nlopt-slsqp profile-count-8-scene --scene machine.toml\n"
                "  ricochet solve ./mine.so count-C1\n"
-               "  ricochet solve 'python3 mine.py' count-C1");
+               "  ricochet solve 'python3 mine.py' count-C1\n"
+               "  ricochet solve nlopt-cobyla mine.toml --allow-programs");
   const auto options = std::make_shared<SolveOptions>();
   add_value(command, "solver", options->solver,
             "A name of `ricochet list solvers`, a shared library or a program", "SOLVER")
       ->required();
-  add_value(command, "problem", options->problem, "A name of `ricochet list problems`", "PROBLEM")
-      ->required();
-  add_scene_file(command, options->scene_file, options->settings);
+  add_problem_choice(command, options->problem);
   command->add_option("--formulation", options->formulation,
                       "Formulation of the problem; default: the first that the solver accepts");
   std::vector<std::string> perturbations;
@@ -356,7 +381,11 @@ void add_solve(CommandLine& line) {
   add_value(command, "--plot", options->plot, "SVG file for a chart of the improvements", "FILE");
   add_limits(command, options->limits);
   add_format(command, options->json);
-  line.on_call(command, [options] { return solve(*options); });
+  const CLI::Option* const seconds = command->get_option("--run-seconds");
+  line.on_call(command, [options, seconds] {
+    options->seconds_given = seconds->count() > 0;
+    return solve(*options);
+  });
 }
 
 }  // namespace ricochet::cli

@@ -108,10 +108,10 @@ TEST(DailyUse, WorksOnASmallStackOrSaysWhatItNeeds) {
 TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {
   if (const auto reason = no_other_programs(); !reason.empty()) GTEST_SKIP() << reason;
   for (const std::string command :
-       {"machine",   "simulate",  "threshold", "regimes",    "identify",   "scene",     "list",
-        "solve",     "evaluate",  "compare",   "plan",       "run",        "replay",    "merge",
-        "digest",    "submit",    "export",    "report",     "site",       "reproduce", "calibrate",
-        "surrogate", "fireworks", "verify",    "simulators", "best-values"}) {
+       {"machine",   "simulate",  "threshold", "regimes", "identify",   "scene",      "problem",
+        "list",      "solve",     "evaluate",  "compare", "plan",       "run",        "replay",
+        "merge",     "digest",    "submit",    "export",  "report",     "site",       "reproduce",
+        "calibrate", "surrogate", "fireworks", "verify",  "simulators", "best-values"}) {
     EXPECT_THAT(out_of(command + " --help"), AllOf(HasSubstr("Usage: ricochet " + command),
                                                    HasSubstr("Examples:\n  ricochet " + command),
                                                    HasSubstr("Exit codes: 0 done; 1 ")));

@@ -83,6 +83,68 @@ report::Results family_of(const std::string& page) {
   return results_of(page).parts.at("families").at(0).results;
 }
 
+/// A problem file in here(), by its command; a valley whose bottom is at x = 20, y = 3, of 7 kg.
+std::string own_problem(const std::string& command) {
+  write("valley.py",
+        "import json, math, sys\n"
+        "for line in sys.stdin:\n"
+        "    x, y = json.loads(line)['x']\n"
+        "    if y < -4: sys.exit('too low')\n"
+        "    z = (math.log(x / 20))**2 + (y - 3)**2\n"
+        "    print(json.dumps({'objective': 7 - z, 'constraints': [3 - y]}), flush=True)\n");
+  return write("valley.toml",
+               "name = 'valley'\nunit = 'kg'\ngoal = 'maximise'\n[program]\ncommand = '" + command +
+                   "'\n[[variable]]\nname = 'width'\nunit = 'mm'\nlower = 1\nupper = 1000\n"
+                   "scale = 'logarithmic'\n[[variable]]\nname = 'height'\nlower = -5\nupper = 5\n"
+                   "[[constraint]]\nname = 'least'\n");
+}
+
+TEST(OwnProblem, IsSolvedInItsOwnWords) {
+  own_problem("python3 valley.py");
+  const std::string allowed = " --allow-programs --budget 400";
+  expect_refusal("solve nlopt-cobyla valley.toml", "python3 valley.py; add --allow-programs");
+  expect_refusal("solve nlopt-cobyla valley.toml --scene machine.toml", "is a problem file");
+  EXPECT_FALSE(exists("valley.evaluations")) << "nothing is written";
+  const Json told = json_of("solve nlopt-cobyla valley.toml" + allowed);
+  EXPECT_NEAR(told["objective"].get<double>(), -7, 1e-6) << "is minimised";
+  const Json& best = told["best"];
+  EXPECT_NEAR(best["objective"].get<double>(), 7, 1e-6);
+  EXPECT_EQ(best["variables"][0]["name"], "width");
+  EXPECT_NEAR(best["variables"][0]["value"].get<double>(), 20, 1e-2);
+  EXPECT_NEAR(told["stated_point"][0].get<double>(), 20, 1e-2);
+  EXPECT_TRUE(best["constraints"][0]["active"].get<bool>());
+  EXPECT_GT(told["evaluations_by_program"], 100);
+  const std::string said = out_of("solve nlopt-cobyla valley.toml" + allowed);
+  EXPECT_THAT(said, AllOf(HasSubstr("Best evaluated: 7 kg"), HasSubstr(" mm\n  height = 3\n"),
+                          HasSubstr("least: "), HasSubstr("holds, and is active"),
+                          HasSubstr("\n0 evaluations by python3 valley.py, ")));
+  const std::string random = out_of("solve random-search valley.toml" + allowed);
+  EXPECT_THAT(random, AllOf(HasSubstr(" failed. Failures so far:\n"),
+                            HasSubstr("its last words: too low")));
+  EXPECT_THAT(call("solve random-search valley.toml --budget 5 --allow-programs").out,
+              HasSubstr("0 evaluations by"));
+}
+
+TEST(OwnProblem, IsCheckedAndEvaluated) {
+  own_problem("python3 valley.py");
+  const Json told = json_of("problem check valley.toml --allow-programs");
+  EXPECT_NEAR(told["objectives"][2].get<double>(),
+              7 - std::pow(std::log(std::sqrt(1000) / 20), 2) - 9, 1e-9);
+  EXPECT_EQ(told["noisy"], false);
+  EXPECT_THAT(told["solvers"].dump(), AllOf(HasSubstr("nlopt-cobyla"), Not(HasSubstr("ipopt"))));
+  const Outcome answered =
+      call_in_shell("echo '[2, 1]' | ricochet evaluate valley.toml --allow-programs");
+  EXPECT_NEAR(Json::parse(answered.out)["objective"].get<double>(),
+              -(7 - std::pow(2 - std::log(20), 2) - 4), 1e-9)
+      << "as a solver sees it: the logarithm of the width";
+  own_problem("python3 none.py");
+  const Outcome failed = call("problem check valley.toml --allow-programs");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.out,
+              HasSubstr("At the start it has no values: ended with exit code 2; its last words: "));
+  EXPECT_EQ(call("solve random-search valley.toml --allow-programs --budget 3").exit_code, 1);
+}
+
 TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   EXPECT_THAT(
       out_of("compare --problems top-speed-C1,profile-count-2-C4 --budget 5,20 --instances 2 "

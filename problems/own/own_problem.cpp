@@ -1,0 +1,220 @@
+#include "problems/own/own_problem.h"
+
+#include <sys/mman.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "problems/own/program.h"
+#include "src/core/instance.h"
+
+namespace ricochet::own {
+
+namespace {
+
+/// Of the box, in the solver's coordinates: for forward differences of residuals.
+constexpr double difference_step = 1e-6;
+
+}  // namespace
+
+/// Counts that forked processes share.
+class SharedCounts {
+ public:
+  SharedCounts() {
+    void* page =
+        mmap(nullptr, sizeof(Counts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (page == MAP_FAILED) throw std::bad_alloc();
+    counts_ = new (page) Counts;
+  }
+  ~SharedCounts() { munmap(counts_, sizeof(Counts)); }
+  SharedCounts(const SharedCounts&) = delete;
+  SharedCounts& operator=(const SharedCounts&) = delete;
+
+  void add(bool computed, bool failed) {
+    ++(computed ? counts_->computed : counts_->found);
+    if (failed) ++counts_->failed;
+  }
+  EvaluationCounts read() const { return {counts_->computed, counts_->found, counts_->failed}; }
+
+ private:
+  struct Counts {
+    std::atomic<std::int64_t> computed = 0, found = 0, failed = 0;
+  };
+  Counts* counts_;
+};
+
+struct OwnProblem::Shared {
+  Shared(ProblemFile its_file, std::string its_run)
+      : file(std::move(its_file)),
+        run(std::move(its_run)),
+        program(file),
+        store(store_of(file.path), program.content()) {}
+
+  /// An evaluation at a point in the solver's coordinates, from the store if it is there; of a
+  /// noisy problem the next one of this point, or its last one.
+  Given at(const Vector& seen, bool derivatives, bool last = false) {
+    const Vector x = file.stated(seen);
+    EvaluationKey key;
+    if (file.noise) {
+      const std::scoped_lock lock(mutex);
+      std::int64_t& attempt = attempts[std::vector<double>(x.begin(), x.end())];
+      key = {run, last && attempt > 0 ? attempt - 1 : attempt++};
+    }
+    std::optional<Given> given = store.find(file, key, x, derivatives);
+    const bool computed = !given;
+    if (computed) {
+      given = store.keep(file, key, x, derivatives, program.evaluate(x, derivatives));
+    }
+    counts.add(computed, !given->failure.empty());
+    return *given;
+  }
+
+  double objective(const Given& given) const {
+    return file.goal == Goal::maximise ? 0 - given.objective : given.objective;
+  }
+
+  Values values(const Given& given) const {
+    Values values{objective(given), Vector(static_cast<Eigen::Index>(order.size()))};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const double value = given.constraints[static_cast<Eigen::Index>(order[i])];
+      const bool binary = file.constraints[order[i]].kind == ConstraintKind::binary;
+      values.constraints[static_cast<Eigen::Index>(i)] = binary ? 2 * value - 1 : value;
+    }
+    return values;
+  }
+
+  /// Derivatives by a solver's coordinates from those by the file's: d/d(ln x) = x d/dx.
+  Vector slopes(const Vector& seen) const {
+    Vector slopes = Vector::Ones(seen.size());
+    const Vector x = file.stated(seen);
+    for (std::size_t i = 0; i < file.variables.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      if (file.variables[i].scale == Scale::logarithmic) slopes[k] = x[k];
+    }
+    return slopes;
+  }
+
+  Derivatives derivatives(const Vector& seen) {
+    const Given given = at(seen, true);
+    const Vector by = slopes(seen);
+    Derivatives result{values(given), given.gradient.cwiseProduct(by),
+                       Matrix(static_cast<Eigen::Index>(order.size()), seen.size())};
+    if (file.goal == Goal::maximise) result.gradient = -result.gradient;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      result.jacobian.row(static_cast<Eigen::Index>(i)) =
+          given.jacobian.row(static_cast<Eigen::Index>(order[i])).cwiseProduct(by.transpose());
+    }
+    return result;
+  }
+
+  Residuals residuals(const Vector& seen, const Vector& width, const Vector& upper) {
+    if (file.program.derivatives) {
+      const Given given = at(seen, true);
+      return {given.residuals, given.residual_jacobian * slopes(seen).asDiagonal()};
+    }
+    Residuals result{at(seen, false).residuals, {}};
+    result.jacobian.resize(result.values.size(), seen.size());
+    for (Eigen::Index i = 0; i < seen.size(); ++i) {
+      const double step = difference_step * width[i];
+      Vector beside = seen;
+      beside[i] += seen[i] + step > upper[i] ? -step : step;
+      result.jacobian.col(i) =
+          step > 0 ? Vector((at(beside, false).residuals - result.values) / (beside[i] - seen[i]))
+                   : Vector::Zero(result.values.size());
+    }
+    return result;
+  }
+
+  const ProblemFile file;
+  const std::string run;
+  const std::vector<std::size_t> order = file.order();
+  Program program;
+  EvaluationStore store;
+  SharedCounts counts;
+  std::mutex mutex;
+  std::map<std::vector<double>, std::int64_t> attempts;
+};
+
+OwnProblem::OwnProblem(ProblemFile file, std::string run)
+    : shared_(std::make_shared<Shared>(std::move(file), std::move(run))) {
+  const ProblemFile& f = shared_->file;
+  const auto n = static_cast<Eigen::Index>(f.variables.size());
+  Vector lower(n), upper(n), start(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const FileVariable& v = f.variables[static_cast<std::size_t>(i)];
+    problem_.variables.push_back({v.name, v.unit});
+    lower[i] = v.lower;
+    upper[i] = v.upper;
+    start[i] = v.start.value();
+  }
+  problem_.name = f.name;
+  problem_.source = "your own, " + f.path.filename().string();
+  problem_.unit = f.unit;
+  problem_.maximises = f.goal == Goal::maximise;
+  problem_.lower = f.seen(lower);
+  problem_.upper = f.seen(upper);
+  problem_.start = f.seen(start);
+  problem_.constraints = static_cast<Eigen::Index>(f.constraints.size());
+  for (const FileConstraint& c : f.constraints) {
+    if (c.kind == ConstraintKind::equality) ++problem_.equalities;
+  }
+  problem_.tolerance = f.tolerance;
+  if (f.best_known) problem_.best_known = problem_.maximises ? 0 - *f.best_known : *f.best_known;
+  problem_.evaluate = [shared = shared_](const Vector& x) {
+    return shared->values(shared->at(x, false));
+  };
+  if (f.noise) {  // scored by what the solver was told, not by another evaluation
+    problem_.true_values = [shared = shared_, equalities = problem_.equalities](const Vector& x) {
+      return true_values_of(shared->values(shared->at(x, false, true)), equalities);
+    };
+  }
+  if (f.program.derivatives) {
+    problem_.differentiate = [shared = shared_](const Vector& x) { return shared->derivatives(x); };
+  }
+  if (f.program.residuals > 0) {
+    problem_.residuals = [shared = shared_, width = Vector(problem_.upper - problem_.lower),
+                          upper = problem_.upper](const Vector& x) {
+      return shared->residuals(x, width, upper);
+    };
+  }
+}
+
+const ProblemFile& OwnProblem::file() const {
+  return shared_->file;
+}
+
+std::string OwnProblem::command() const {
+  return shared_->program.command();
+}
+
+std::filesystem::path OwnProblem::store_path() const {
+  return store_of(shared_->file.path);
+}
+
+EvaluationStore& OwnProblem::store() const {
+  return shared_->store;
+}
+
+EvaluationCounts OwnProblem::counts() const {
+  return shared_->counts.read();
+}
+
+Given OwnProblem::evaluate_anew(const Vector& stated) const {
+  const ProblemFile& file = shared_->file;
+  const bool derivatives = file.program.derivatives;
+  const Given given = shared_->program.evaluate(stated, derivatives);
+  if (!file.noise) shared_->store.keep(file, {}, stated, derivatives, given);
+  return given;
+}
+
+std::filesystem::path store_of(const std::filesystem::path& problem_file) {
+  std::filesystem::path store = problem_file;
+  return store.replace_extension(".evaluations");
+}
+
+}  // namespace ricochet::own

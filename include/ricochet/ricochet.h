@@ -105,7 +105,7 @@ typedef struct ricochet_values_at {
   int32_t dimension;
   int32_t constraints;
   int32_t residuals;
-  double* objective;         /**< with residuals: may be left as it is, for half their squares' sum */
+  double* objective; /**< with residuals: may be left as it is, for half their squares' sum */
   double* constraint_values; /**< constraints, in the order of the problem file */
   double* gradient;          /**< dimension */
   double* jacobian;          /**< constraints x dimension */

@@ -8,7 +8,7 @@
 
 #include "problems/own/program.h"
 
-namespace SQLite {
+namespace SQLite {  // NOLINT(readability-identifier-naming): that library's
 class Database;
 }
 

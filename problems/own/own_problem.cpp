@@ -204,7 +204,7 @@ EvaluationCounts OwnProblem::counts() const {
   return shared_->counts.read();
 }
 
-Given OwnProblem::evaluate_anew(const Vector& stated) const {
+Given OwnProblem::evaluate_again(const Vector& stated) const {
   const ProblemFile& file = shared_->file;
   const bool derivatives = file.program.derivatives;
   const Given given = shared_->program.evaluate(stated, derivatives);

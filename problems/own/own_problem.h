@@ -43,7 +43,7 @@ class OwnProblem {
 
   /// Evaluates once more at a point in the file's coordinates, whatever the store has. Kept unless
   /// values are noisy or it was kept before.
-  Given evaluate_anew(const Vector& stated) const;
+  Given evaluate_again(const Vector& stated) const;
 
  private:
   struct Shared;

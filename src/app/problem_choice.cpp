@@ -259,7 +259,7 @@ int check_problem(const CheckOptions& options) {
   const ProblemFile& file = own.file();
   const Vector start = file.stated(own.problem().start);
   Trial trial;
-  for (int k = 0; k < trials; ++k) trial.given.push_back(own.evaluate_anew(start));
+  for (int k = 0; k < trials; ++k) trial.given.push_back(own.evaluate_again(start));
   compare_slopes(own, trial);
   std::vector<double> seconds, objectives;
   std::string failure;

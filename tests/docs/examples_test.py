@@ -22,6 +22,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -92,7 +93,9 @@ def prepare(folder):
     script.write_text('#!/bin/sh\nexec "$RICOCHET_PROGRAM" "$@"\n')
     script.chmod(0o755)
     for name in FROM_SOURCE:
-        (folder / name).symlink_to(SOURCE / name)
+        if name != "examples":
+            (folder / name).symlink_to(SOURCE / name)
+    shutil.copytree(SOURCE / "examples", folder / "examples")  # evaluations are kept beside a problem
     (folder / "build").mkdir()
     (folder / "build" / "release").symlink_to(os.environ["RICOCHET_BUILD"])
     (folder / "bin").mkdir()

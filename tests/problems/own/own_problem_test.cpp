@@ -155,7 +155,7 @@ TEST_F(OwnProblemTest, HasDifferencesForResidualsWithoutDerivatives) {
   }
 }
 
-TEST_F(OwnProblemTest, ComputesAPointOnceWhoeverAsks) {
+TEST_F(OwnProblemTest, ComputesAPointOnce) {
   write_file(folder_ / "count.py", "import sys\nopen('calls', 'a').write('.')\n" + answering);
   write_program("once", "#!/bin/sh\nprintf . >> calls\nawk '{ print " + formulas + " }' $1\n");
   const Vector x{{0.3, 0.2}};

@@ -59,13 +59,11 @@ outside::Patience patience_for(const ProblemFile& file) {
   return {.notice = std::chrono::hours(24), .until = deadline(file)};
 }
 
-/// The end of what a program wrote to its standard error since it had written `before` bytes; as a
-/// part of a sentence.
-std::string last_words_in(const fs::path& errors, std::uintmax_t before) {
+/// The end of what a program wrote to its standard error, as a part of a sentence.
+std::string last_words_in(const fs::path& errors) {
   std::error_code none;
   const std::uintmax_t size = fs::exists(errors, none) ? fs::file_size(errors, none) : 0;
-  if (size <= before) return "";
-  const std::uintmax_t begin = std::max(before, size > last_words ? size - last_words : 0);
+  const std::uintmax_t begin = size > last_words ? size - last_words : 0;
   std::ifstream in(errors, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(begin));
   std::string text(static_cast<std::size_t>(size - begin), '\0');
@@ -121,7 +119,7 @@ class Command : public OneThreadsWay {
   Given evaluate(const Vector& x, bool derivatives) override {
     if (program_.has_spoken()) fail("wrote a line that it was not asked for");
     std::error_code none;
-    const std::uintmax_t before = fs::exists(errors(), none) ? fs::file_size(errors(), none) : 0;
+    fs::resize_file(errors(), 0, none);  // what a talkative program wrote before
     Json request = {{"x", std::vector<double>(x.begin(), x.end())}};
     if (derivatives) request["derivatives"] = true;
     if (file().program.residuals > 0) request["residuals"] = true;
@@ -132,7 +130,7 @@ class Command : public OneThreadsWay {
       if (!line) fail(program_.how_it_ended());
       return understood(*line, derivatives);
     } catch (const std::exception& error) {
-      fail(error.what() + last_words_in(errors(), before));
+      fail(error.what() + last_words_in(errors()));
     }
   }
 
@@ -242,7 +240,7 @@ class Executable : public OneThreadsWay {
       if (end != "ended with exit code 0") fail(end);
       return understood(in_file ? text_of_file(results) : text);
     } catch (const std::exception& error) {
-      fail(error.what() + last_words_in(errors, 0));
+      fail(error.what() + last_words_in(errors));
     }
   }
 

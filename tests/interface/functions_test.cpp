@@ -347,8 +347,9 @@ std::string printed_by(const std::string& command) {
 }
 
 TEST(Interface, ExportsTheFunctionsThatItsHeaderDeclares) {
-  const auto declared = found_in(text_of(fs::path(RICOCHET_SOURCE "/include/ricochet/ricochet.h")),
-                                 R"((?:^|\n)[a-z][a-z0-9_ ]*[ *]+(ricochet_[a-z_]+)\()");
+  auto declared = found_in(text_of(fs::path(RICOCHET_SOURCE "/include/ricochet/ricochet.h")),
+                           R"((?:^|\n)[a-z][a-z0-9_ ]*[ *]+(ricochet_[a-z_]+)\()");
+  EXPECT_EQ(declared.erase("ricochet_evaluate"), 1U) << "a user's library exports it";
   EXPECT_THAT(declared, IsSupersetOf({"ricochet_open", "ricochet_values", "ricochet_counts"}));
   EXPECT_EQ(
       found_in(printed_by("nm --dynamic --defined-only --format=just-symbols " RICOCHET_LIBRARY),
@@ -386,6 +387,13 @@ TEST(Interface, KeepsTheLayoutOfItsStructures) {
                            offsetof(S, needs_residuals), offsetof(S, stochastic),
                            offsetof(S, solve), sizeof(S)}),
               ElementsAre(0, 8, 16, 24, 28, 32, 36, 40, 48));
+  using V = ricochet_values_at;
+  EXPECT_THAT(
+      (std::vector{offsetof(V, abi), offsetof(V, dimension), offsetof(V, constraints),
+                   offsetof(V, residuals), offsetof(V, objective), offsetof(V, constraint_values),
+                   offsetof(V, gradient), offsetof(V, jacobian), offsetof(V, residual_values),
+                   offsetof(V, residual_jacobian), sizeof(V)}),
+      ElementsAre(0, 4, 8, 12, 16, 24, 32, 40, 48, 56, 64));
 }
 
 }  // namespace

@@ -99,10 +99,4 @@ SpeedScan scan_by(const Scene& scene, const Limit& limit, double step, double hi
   return scan_slowest_speeds(loud, step, highest);
 }
 
-Split split_by(const Scene& scene, const Limit& limit, double step, double highest) {
-  const SpeedScan scan = scan_by(scene, limit, step, highest);
-  if (!extends_to(scan, highest)) throw TimeLimitReached();
-  return best_split(scan, 0.5);
-}
-
 }  // namespace ricochet::carrier_track::inline counting

@@ -231,9 +231,4 @@ std::vector<double> measured_at(const Scene& scene, Measure measure,
 /// allows: 1 where the limit is exceeded, 0 where it is kept.
 SpeedScan scan_by(const Scene& scene, const Limit& limit, double step, double highest);
 
-/// The split of the speeds step, 2 step, ..., highest [rad/s] into those that keep the limit and
-/// those that exceed it, with the fewest misclassified. first_loud is the lowest speed that exceeds
-/// it; it does not depend on the end of the range.
-Split split_by(const Scene& scene, const Limit& limit, double step, double highest);
-
 }  // namespace ricochet::carrier_track::inline counting

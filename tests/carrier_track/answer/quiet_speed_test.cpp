@@ -150,6 +150,19 @@ Scene held() {
 
 const Limit no_collision{Measure::collisions, 0};
 
+TEST(QuietSpeed, ByWhatElseIsMeasuredIsThatOfAScanOfAllSpeeds) {
+  constexpr double step = 0.01, fastest = 15;
+  for (const auto& [measure, at_most] :
+       {std::pair(Measure::impact_speed, 1.5), std::pair(Measure::energy, 2.0)}) {
+    const QuietSpeed answer = quiet_speed(held(), {Limit{measure, at_most}, step, fastest});
+    int k = 1;
+    while (measured(at_speed(held(), k * step), measure) <= at_most && k * step < fastest) ++k;
+    ASSERT_LT(k * step, fastest);
+    EXPECT_NEAR(answer.split.first_loud.value_or(0), k * step, 1e-9);
+    EXPECT_EQ(answer.split.misclassified, 0);
+  }
+}
+
 /// The sensitivities by their keys. Expects the largest first.
 std::map<std::string, double> percents(const Scene& scene, const Limit& limit, double omega) {
   std::map<std::string, double> by_key;

@@ -102,6 +102,18 @@ TEST(Certainty, DoubtsAMaximumAtALimit) {
   }
 }
 
+TEST(Certainty, DoubtsAMaximumThatRoundingMakes) {
+  // From rest by x'' = sin t: the speed 1 - cos t touches zero at every turn, and is never below.
+  int doubted = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Certainty found = certainty(with(
+        Scene{}, set::wall_upper(100), set::rule(CountRule::peaks), set::centrifugal_mass_radius(1),
+        set::start_position(0), set::seconds(30), set::phase(-std::numbers::pi / 2 - 0.1 * i)));
+    if (found.doubt == Doubt::graze && found.reason.find("a maximum") == 0) ++doubted;
+  }
+  EXPECT_GT(doubted, 0);
+}
+
 TEST(Certainty, TellsTheNearestMissedWall) {
   for (const double miss : {1e-2, 1e-5, 1e-8}) {
     const double wall = tossed::summit + miss;

@@ -47,6 +47,24 @@ TEST(PlanarModel, WithABodyHeldInYMovesInXAsTheImpactModelBitForBit) {
   });
 }
 
+TEST(ObserverPair, TellsBothWhatOneAloneIsTold) {
+  std::size_t across = 0;
+  for_random(53, 30, [&](RandomScenes& draws) {
+    const Scene scene = draws.next_planar();
+    const auto alone = watch(scene);
+    Watched<double> first, second;
+    ObserverPair both(first, second);
+    simulate(scene, both);
+    for (const Watched<double>& each : {first, second}) {
+      expect_hits(each.hits, alone.hits, 0, 0);
+      expect_hits(each.across, alone.across, 0, 0);
+      ASSERT_EQ(each.tops.size(), alone.tops.size());
+    }
+    across += alone.across.size();
+  });
+  EXPECT_GT(across, 300U);
+}
+
 /// The directions exchanged: x is what y was, and y is what x was, seen in a mirror, for then the
 /// forces of the driver plate, -cos and sin, are those a quarter turn on.
 Scene exchanged(const Scene& scene) {

@@ -204,7 +204,7 @@ TEST_F(OwnProblemTest, ChargesAFailureToItsOwnEvaluation) {
             misdeed +
             "\n"
             "    print(json.dumps({'objective': a, 'constraints': [b, 0, 0]}), flush=True)\n",
-        "seconds = 1.5\nmegabytes = 400");
+        "seconds = 4\nmegabytes = 400");
     for (const double b : {0.5, 0.25, 0.75}) {
       const Values got = own.problem().evaluate(Vector{{0, b}});
       EXPECT_EQ(std::isnan(got.objective), b == 0.25);

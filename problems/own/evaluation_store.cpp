@@ -3,24 +3,22 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
-#include <sqlite3.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "ricochet/error.h"
 #include "src/core/files.h"
+#include "src/experiment/store_file.h"
 
 namespace ricochet::own {
 
 namespace {
 
-constexpr int patience = 60'000;            // [ms], while others have the file locked
-constexpr int longest_value = 100'000'000;  // bytes
-constexpr int application = 0x52436f45;     // "RCoE"
-constexpr double worth_a_flush = 0.05;      // [s]; a flush to the disk takes about a tenth of it
+constexpr int patience = 60'000;         // [ms], while others have the file locked
+constexpr int application = 0x52436f45;  // "RCoE"
+constexpr double worth_a_flush = 0.05;   // [s]; a flush to the disk takes about a tenth of it
 
 constexpr const char* schema = R"(
 CREATE TABLE IF NOT EXISTS evaluations(
@@ -45,16 +43,9 @@ std::int64_t pragma(SQLite::Database& database, const char* name) {
 }
 
 std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file) {
-  auto database =
+  auto database = guarded(
       std::make_unique<SQLite::Database>(std::filesystem::absolute(file).string(),
-                                         SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience);
-  // The file may be a stranger's: nothing that it brings along runs.
-  sqlite3* const handle = database->getHandle();
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
+                                         SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, patience));
   const bool fresh = pragma(*database, "schema_version") == 0;
   if (!fresh && pragma(*database, "application_id") != application) {
     throw InputError(file.string() + ": is no file of evaluations");
@@ -126,6 +117,7 @@ std::optional<Given> EvaluationStore::find(const ProblemFile& file, const Evalua
 
 Given EvaluationStore::keep(const ProblemFile& file, const EvaluationKey& key, const Vector& x,
                             bool derivatives, const Given& given) {
+  bool is_new = false;
   {
     const std::scoped_lock lock(mutex_);
     SQLite::Database& kept = database();
@@ -148,32 +140,23 @@ Given EvaluationStore::keep(const ProblemFile& file, const EvaluationKey& key, c
     add.bind(8, given.seconds);
     add.bind(9, given.failure);
     try {
-      add.exec();
+      is_new = add.exec() > 0;
     } catch (const SQLite::Exception& error) {
       throw OutputError(
           fmt::format("{}: an evaluation could not be kept: {}", file_.string(), error.what()));
     }
     if (flush) kept.exec("PRAGMA synchronous = NORMAL");
   }
-  return find(file, key, x, derivatives).value_or(given);
+  return is_new ? given : find(file, key, x, derivatives).value_or(given);
 }
 
-std::int64_t EvaluationStore::forget_failures(bool only_if_all) {
+std::int64_t EvaluationStore::forget_if_all_failed() {
   const std::scoped_lock lock(mutex_);
-  SQLite::Statement forget(
-      database(), only_if_all
-                      ? "DELETE FROM evaluations WHERE content = ?1 AND NOT EXISTS (SELECT 1 FROM "
-                        "evaluations WHERE content = ?1 AND failure = '')"
-                      : "DELETE FROM evaluations WHERE content = ?1 AND failure <> ''");
+  SQLite::Statement forget(database(),
+                           "DELETE FROM evaluations WHERE content = ?1 AND NOT EXISTS (SELECT 1 "
+                           "FROM evaluations WHERE content = ?1 AND failure = '')");
   forget.bind(1, content_);
   return forget.exec();
-}
-
-std::int64_t EvaluationStore::size() {
-  const std::scoped_lock lock(mutex_);
-  SQLite::Statement count(database(), "SELECT count(*) FROM evaluations WHERE content = ?");
-  count.bind(1, content_);
-  return count.executeStep() ? count.getColumn(0).getInt64() : 0;
 }
 
 std::vector<FailureCount> EvaluationStore::failures() {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,12 +52,11 @@ class EvaluationStore {
   Given keep(const ProblemFile& file, const EvaluationKey& key, const Vector& x, bool derivatives,
              const Given& given);
 
-  /// Forgets all failures; with `only_if_all`, only if no evaluation ever succeeded: then the
-  /// program's surroundings failed. Returns how many.
-  std::int64_t forget_failures(bool only_if_all);
+  /// Forgets all evaluations if none ever succeeded: then the program's surroundings failed.
+  /// Returns how many.
+  std::int64_t forget_if_all_failed();
 
-  /// The numbers of evaluations, and of those that failed by reason, the most frequent first.
-  std::int64_t size();
+  /// The numbers of evaluations that failed by reason, the most frequent first.
   std::vector<FailureCount> failures();
 
  private:

@@ -4,14 +4,12 @@
 
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <new>
 #include <utility>
 
 #include "problems/own/program.h"
-#include "src/core/instance.h"
 
 namespace ricochet::own {
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <exception>
@@ -117,25 +116,14 @@ std::string Program::command() const {
   return one_line(p.library.empty() ? p.command + p.executable : p.library);
 }
 
-std::unique_ptr<Way> Program::taken() {
-  const std::scoped_lock lock(mutex_);
-  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [](const auto& way) { return way->is_of_this_thread(); });
-  if (found == waiting_.end()) return nullptr;
-  std::unique_ptr<Way> way = std::move(*found);
-  waiting_.erase(found);
-  return way;
-}
-
 Given Program::evaluate(const Vector& x, bool derivatives) {
   const auto begin = Clock::now();
   Given given;
   try {
-    std::unique_ptr<Way> way = taken();
+    std::unique_ptr<Way> way = waiting_.take();
     if (!way) way = way_of(file_);
     given = way->evaluate(x, derivatives);
-    const std::scoped_lock lock(mutex_);
-    waiting_.push_back(std::move(way));
+    waiting_.give_back(std::move(way));
   } catch (const std::exception& error) {
     given = nothing_given(file_, derivatives);
     given.failure = one_line(error.what());

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "problems/own/problem_file.h"
+#include "solvers/outside/line_solver.h"
 
 namespace ricochet::own {
 
@@ -60,12 +58,9 @@ class Program {
   std::string content() const { return content_; }
 
  private:
-  std::unique_ptr<Way> taken();
-
   const ProblemFile file_;
   std::string content_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Way>> waiting_;
+  outside::WaitingProcesses<Way> waiting_;
 };
 
 }  // namespace ricochet::own

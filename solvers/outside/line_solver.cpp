@@ -48,21 +48,6 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-std::unique_ptr<LineProgram> WaitingPrograms::take() {
-  const std::scoped_lock lock(mutex_);
-  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [](const auto& each) { return each->is_of_this_thread(); });
-  if (found == waiting_.end()) return nullptr;
-  auto program = std::move(*found);
-  waiting_.erase(found);
-  return program;
-}
-
-void WaitingPrograms::give_back(std::unique_ptr<LineProgram> program) {
-  const std::scoped_lock lock(mutex_);
-  waiting_.push_back(std::move(program));
-}
-
 SolverTermination WaitingPrograms::solve(Evaluator& evaluator, const Vector& start, Random& random,
                                          const std::string& first) {
   const auto seed = static_cast<std::uint32_t>(random() >> 32U);
@@ -70,7 +55,7 @@ SolverTermination WaitingPrograms::solve(Evaluator& evaluator, const Vector& sta
     return converse(program, evaluator, start, seed, first);
   };
   std::optional<SolverTermination> exit;
-  std::unique_ptr<LineProgram> program = take();
+  std::unique_ptr<LineProgram> program = waiting_.take();
   if (program) exit = exit_of(*program);
   if (!exit) {
     program = start_();

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -137,6 +138,31 @@ class ForkingProgram {
 /// protocol.
 Claims greeting_of(LineProgram& program);
 
+/// Processes that wait to be used again, each by the thread that made it.
+template <class Process>
+class WaitingProcesses {
+ public:
+  /// One of this thread, or null if none waits.
+  std::unique_ptr<Process> take() {
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                    [](const auto& each) { return each->is_of_this_thread(); });
+    if (found == waiting_.end()) return nullptr;
+    std::unique_ptr<Process> process = std::move(*found);
+    waiting_.erase(found);
+    return process;
+  }
+
+  void give_back(std::unique_ptr<Process> process) {
+    const std::scoped_lock lock(mutex_);
+    waiting_.push_back(std::move(process));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Process>> waiting_;
+};
+
 /// Programs of a solver that wait for a start, each for the thread that started it.
 class WaitingPrograms {
  public:
@@ -150,15 +176,11 @@ class WaitingPrograms {
   SolverTermination solve(Evaluator& evaluator, const Vector& start, Random& random,
                           const std::string& first = "");
 
-  void give_back(std::unique_ptr<LineProgram> program);
+  void give_back(std::unique_ptr<LineProgram> program) { waiting_.give_back(std::move(program)); }
 
  private:
-  /// A program of this thread, or null if none waits.
-  std::unique_ptr<LineProgram> take();
-
   const std::function<std::unique_ptr<LineProgram>()> start_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<LineProgram>> waiting_;
+  WaitingProcesses<LineProgram> waiting_;
 };
 
 /// A solver that is a program exchanging lines of JSON on its standard input and output; the README

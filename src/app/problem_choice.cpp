@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include "embedded/problem_template.h"
@@ -38,7 +37,7 @@ OwnProblem opened(const std::string& path, bool allowed, const std::string& run)
   const own::FileProgram& p = file.program;
   announce_programs({p.command + p.executable + p.library}, allowed, path);
   OwnProblem own(std::move(file), run);
-  if (own.store().forget_failures(true) > 0) {
+  if (own.store().forget_if_all_failed() > 0) {
     Progress::announce(own.store_path().string() +
                        ": every evaluation had failed: they are made again");
   }
@@ -66,8 +65,7 @@ void add_problem_choice(CLI::App* command, ProblemChoice& choice) {
             "A name of `ricochet list problems`, or a problem file (TOML)", "PROBLEM")
       ->required();
   add_scene_file(command, choice.scene_file, choice.settings);
-  command->add_flag("--allow-programs", choice.allow_programs,
-                    "Start the program or shared library that the problem file names");
+  add_allowance(command, choice.allow_programs);
 }
 
 ChosenProblem choose_problem(const ProblemChoice& choice, const std::string& run) {
@@ -85,10 +83,12 @@ ChosenProblem choose_problem(const ProblemChoice& choice, const std::string& run
       std::nullopt};
 }
 
-OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, std::int64_t most) {
+OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, double objective,
+                    std::int64_t most) {
   const ProblemFile& file = own.file();
   const Vector x = file.stated(seen);
   OwnAnswer answer;
+  answer.objective = objective;
   for (std::size_t i = 0; i < file.variables.size(); ++i) {
     const FileVariable& v = file.variables[i];
     const double value = x[static_cast<Eigen::Index>(i)];
@@ -99,7 +99,6 @@ OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, std::int64_t most
     answer.point.push_back({v.name, v.unit, value, bound});
   }
   const Values values = own.problem().evaluate(seen);
-  answer.objective = own.problem().maximises ? 0 - values.objective : values.objective;
   const std::vector<std::size_t> order = file.order();
   answer.constraints.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -114,19 +113,20 @@ OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, std::int64_t most
   // Not the run's own evaluations of the point, of which it has the best: that would flatter it.
   const OwnProblem again(file, "repetitions");
   std::vector<double> objectives;
-  while (static_cast<std::int64_t>(objectives.size()) < most) {
-    const double seen_objective = again.problem().evaluate(seen).objective;
-    const double objective = again.problem().maximises ? 0 - seen_objective : seen_objective;
+  const auto standard_error = [&objectives] {
+    return deviation_of(objectives) / std::sqrt(static_cast<double>(objectives.size()));
+  };
+  while (answer.repetitions < most &&
+         (objectives.size() < 4 || standard_error() > file.tolerance)) {
+    const double minimised = again.problem().evaluate(seen).objective;
     ++answer.repetitions;
-    if (std::isfinite(objective)) objectives.push_back(objective);
-    const auto size = static_cast<double>(objectives.size());
-    if (size < 2 && answer.repetitions < most) continue;
-    if (objectives.empty()) break;
-    answer.mean = mean_of(objectives);
-    answer.standard_error = deviation_of(objectives) / std::sqrt(size);
-    if (size >= 4 && *answer.standard_error <= file.tolerance) break;
-    if (answer.repetitions >= most) break;
+    if (std::isfinite(minimised)) {
+      objectives.push_back(again.problem().maximises ? 0 - minimised : minimised);
+    }
   }
+  if (objectives.empty()) return answer;
+  answer.mean = mean_of(objectives);
+  answer.standard_error = standard_error();
   return answer;
 }
 
@@ -338,8 +338,7 @@ void add_problem(CommandLine& line) {
       command, "check", "Evaluate the start three times: cost, noise, and which solvers fit");
   const auto options = std::make_shared<CheckOptions>();
   add_value(check, "file", options->file, "A problem file (TOML)", "FILE")->required();
-  check->add_flag("--allow-programs", options->allow_programs,
-                  "Start the program or shared library that the file names");
+  add_allowance(check, options->allow_programs);
   add_format(check, options->json);
   line.on_call(check, [options] { return check_problem(*options); });
 }

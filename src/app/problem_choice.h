@@ -51,10 +51,11 @@ struct OwnAnswer {
   std::int64_t repetitions = 0;
 };
 
-/// The answer at a point in the solver's coordinates, from the store; of a noisy problem the point
-/// is evaluated again until the standard error of the mean is below the file's tolerance, `most`
-/// times at most.
-OwnAnswer answer_at(const own::OwnProblem& own, const Vector& seen, std::int64_t most);
+/// The answer at a point in the solver's coordinates, where the run has found this objective, as
+/// the goal has it; of a noisy problem the point is evaluated again until the standard error of the
+/// mean is below the file's tolerance, `most` times at most.
+OwnAnswer answer_at(const own::OwnProblem& own, const Vector& seen, double objective,
+                    std::int64_t most);
 
 /// The lines that say it, and those on the evaluations.
 std::string in_words(const own::OwnProblem& own, const OwnAnswer& answer);

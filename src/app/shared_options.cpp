@@ -59,7 +59,7 @@ void add_limits(CLI::App* command, Limits& limits) {
 
 void add_allowance(CLI::App* command, bool& allowed) {
   command->add_flag("--allow-programs", allowed,
-                    "Start the programs and shared libraries that the file names as solvers");
+                    "Start the programs and shared libraries that the file names");
 }
 
 }  // namespace ricochet::cli

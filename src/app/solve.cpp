@@ -332,9 +332,10 @@ int solve(const SolveOptions& options) {
   std::optional<OwnAnswer> answer;
   if (own && !record.trace.empty()) {
     constexpr std::int64_t repetitions = 10;
-    answer = answer_at(*own, stated.seen_by_program(record.trace.back().x),
+    const Improvement& best = record.trace.back();
+    answer = answer_at(*own, stated.seen_by_program(best.x),
+                       as_said(best.true_values.objective, problem),
                        std::max(repetitions, options.budget / repetitions));
-    answer->objective = as_said(record.trace.back().true_values.objective, problem);
   }
   if (options.json) {
     Json data = json_of(record, verdict, formulation_name, options.perturbation, problem, stated);

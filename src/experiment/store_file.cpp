@@ -34,16 +34,8 @@
 
 namespace ricochet {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int patience = 10'000;            // [ms], while others have the file locked
-constexpr int longest_value = 100'000'000;  // bytes, of a text or of points
-constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
-
-/// A file may be a stranger's: nothing that it brings along runs, and nothing in it is endless.
 std::unique_ptr<SQLite::Database> guarded(std::unique_ptr<SQLite::Database> database) {
+  constexpr int longest_value = 100'000'000;  // bytes, of a text or of points
   sqlite3* const handle = database->getHandle();
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
@@ -52,6 +44,13 @@ std::unique_ptr<SQLite::Database> guarded(std::unique_ptr<SQLite::Database> data
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
   return database;
 }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience = 10'000;  // [ms], while others have the file locked
+constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
 
 /// Absolute, so that SQLite takes no path for one of its special names.
 std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {

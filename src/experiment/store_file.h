@@ -22,6 +22,9 @@ void check_is_store(const std::filesystem::path& file);
 /// a million runs.
 void check_store(const std::filesystem::path& file);
 
+/// A file may be a stranger's: nothing that it brings along runs, and nothing in it is endless.
+std::unique_ptr<SQLite::Database> guarded(std::unique_ptr<SQLite::Database> database);
+
 /// Opens the file of a store to read it, after these checks. Closes what a killed writer left open,
 /// and rolls back what it left half changed; else writes nothing. Messages name the file `named`,
 /// from which this one was unpacked, if that is not empty.

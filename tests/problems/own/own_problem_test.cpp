@@ -321,9 +321,9 @@ TEST_F(OwnProblemTest, MakesEvaluationsAgainIfAllHadFailed) {
   write_file(folder_ / "ready", "");
   const OwnProblem own(file("executable = './later'"));
   EXPECT_TRUE(std::isnan(own.problem().evaluate(x).objective)) << "kept";
-  EXPECT_EQ(own.store().forget_failures(true), 1);
+  EXPECT_EQ(own.store().forget_if_all_failed(), 1);
   EXPECT_EQ(own.problem().evaluate(x).objective, 5);
-  EXPECT_EQ(own.store().forget_failures(true), 0);
+  EXPECT_EQ(own.store().forget_if_all_failed(), 0);
   EXPECT_EQ(own.problem().evaluate(x).objective, 5);
 }
 

@@ -2,6 +2,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/solver.h"
+#include "solvers/automatic.h"
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/library_solvers.h"
 #include "solvers/mads.h"
@@ -55,6 +56,7 @@ std::vector<Solver> all_solvers() {
   for (Solver& solver : tao_solvers()) solvers.push_back(std::move(solver));
 #endif
   for (Solver& solver : scipy_solvers()) solvers.push_back(std::move(solver));
+  solvers.push_back(automatic(solvers));
   return solvers;
 }
 

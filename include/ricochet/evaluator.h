@@ -114,6 +114,9 @@ class Evaluator {
   bool has_hessian() const { return static_cast<bool>(problem_.lagrangian_hessian); }
   bool has_residuals() const { return static_cast<bool>(problem_.residuals); }
   bool has_smoothing() const { return static_cast<bool>(problem_.smoothed); }
+  bool jumps() const { return problem_.jumps; }  ///< see Problem::jumps
+  const Budget& budget() const { return budget_; }
+  std::int64_t gradient_price() const;  ///< what a gradient is charged beside the value
 
   /// Objective and constraints, equalities first, at x (length n), or nothing once the run is over.
   /// Charged 1. The result is complete, whatever `part` is.
@@ -182,7 +185,6 @@ class Evaluator {
     Vector x;
   };
 
-  std::int64_t gradient_price() const;
   bool admits(const Vector& x, std::int64_t price);
   bool remembers(const Vector& x) const { return has_point_ && point_ == x; }
   void move_to(const Vector& x);
@@ -194,7 +196,7 @@ class Evaluator {
   template <class Work>
   bool guarded(Work work);
 
-  bool ask_residuals(const Vector& x, Part part, std::int64_t price);
+  bool ask_residuals(const Vector& x, Part part, std::int64_t price, bool derivatives);
 
   const Problem& problem_;
   std::optional<Problem> smoothed_;

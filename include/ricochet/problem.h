@@ -85,6 +85,7 @@ struct Problem {
   std::string source;      ///< short description and origin
   std::string unit = {};   ///< of the objective; empty if it has none
   bool maximises = false;  ///< the objective is the negative of what a user wants to be large
+  bool jumps = false;      ///< objective or constraints jump, as whole numbers do
   int instance = 0;        ///< 0 is the problem as stated; see instance.h
   std::vector<Variable> variables;  ///< n, or empty if they have no names
   Vector lower, upper, start;       ///< length n, lower <= start <= upper, finite
@@ -103,6 +104,8 @@ struct Problem {
   /// Residuals and first derivatives in one call; empty if the problem is no sum of squares. Their
   /// sum of squares may be a smooth approximation of the objective.
   std::function<Residuals(const Vector&)> residuals;
+  /// The same residuals where they cost less without derivatives; empty: `residuals` has them.
+  std::function<Vector(const Vector&)> residual_values = {};
   /// The true objective and violation, which score a run; empty if `evaluate` returns them.
   std::function<TrueValues(const Vector&)> true_values;
   /// The same problem, with the same name, box and true objective, smoothed with a parameter >= 0:

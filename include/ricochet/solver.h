@@ -79,6 +79,9 @@ struct Solver {
   /// be called from several threads at once.
   std::function<SolverTermination(Evaluator&, const Vector& start, Random& random)> solve;
 
+  /// It runs one of the others: patterns do not choose it, only its name does.
+  bool chooses = false;
+
   /// Called in a process that is about to make others that run the solver, for what they can share;
   /// may be empty.
   std::function<void()> prepare = {};

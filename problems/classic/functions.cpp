@@ -226,6 +226,7 @@ Problem step(Eigen::Index n) {
   Problem problem = without_functions(
       nonnegative("step", "step function: Yao, Liu and Lin (1999), doi 10.1109/4235.771163, f6",
                   -60, 100, Vector::Zero(n)));
+  problem.jumps = true;
   problem.evaluate = [](const Vector& x) {
     return Values{(x.array() + 0.5).floor().square().sum(), {}};
   };

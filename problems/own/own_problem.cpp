@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
@@ -162,6 +163,11 @@ OwnProblem::OwnProblem(ProblemFile file, std::string run)
     if (c.kind == ConstraintKind::equality) ++problem_.equalities;
   }
   problem_.tolerance = f.tolerance;
+  problem_.gradient_cost = f.program.gradient_cost;
+  problem_.jumps = f.jumps || std::any_of(f.constraints.begin(), f.constraints.end(),
+                                          [](const FileConstraint& c) {
+                                            return c.kind == ConstraintKind::binary;
+                                          });
   if (f.best_known) problem_.best_known = problem_.maximises ? 0 - *f.best_known : *f.best_known;
   problem_.evaluate = [shared = shared_](const Vector& x) {
     return shared->values(shared->at(x, false));
@@ -175,6 +181,11 @@ OwnProblem::OwnProblem(ProblemFile file, std::string run)
     problem_.differentiate = [shared = shared_](const Vector& x) { return shared->derivatives(x); };
   }
   if (f.program.residuals > 0) {
+    if (!f.program.derivatives) {
+      problem_.residual_values = [shared = shared_](const Vector& x) -> Vector {
+        return shared->at(x, false).residuals;
+      };
+    }
     problem_.residuals = [shared = shared_, width = Vector(problem_.upper - problem_.lower),
                           upper = problem_.upper](const Vector& x) {
       return shared->residuals(x, width, upper);

@@ -76,6 +76,7 @@ void visit_fields(const Visit& visit, P&... p) {
   visit(Field{"outputs"}, p.outputs...);
   visit(Field{"format"}, p.format...);
   visit(Field{"derivatives"}, p.derivatives...);
+  visit(Field{"gradient_cost", "1", "", whole_number(0)}, p.gradient_cost...);
   visit(Field{"residuals", "1", "", whole_number(0)}, p.residuals...);
   visit(Field{"seconds", "s", "", positive_number}, p.seconds...);
   visit(Field{"megabytes", "1", "", positive_number}, p.megabytes...);
@@ -93,6 +94,9 @@ void check_fields(const TomlTable& in, const FileProgram& p) {
   if (p.executable.empty() && !p.outputs.empty()) {
     in.refuse("outputs", "left out but for an executable");
   }
+  if (!p.derivatives && p.gradient_cost) {
+    in.refuse("gradient_cost", "left out where derivatives is false");
+  }
   if (!p.executable.empty() && p.derivatives) {
     in.refuse("derivatives", "false for an executable; a command can give derivatives");
   }
@@ -105,6 +109,7 @@ void visit_fields(const Visit& visit, F&... f) {
   visit(Field{"unit"}, f.unit...);
   visit(Field{"goal", "", "", {}, stated}, f.goal...);
   visit(Field{"noise"}, f.noise...);
+  visit(Field{"jumps"}, f.jumps...);
   visit(Field{"best_known", "1", "", finite_number}, f.best_known...);
   visit(Field{"tolerance", "1", "", positive_number}, f.tolerance...);
   visit(Field{"program", "", "", {}, required}, f.program...);

@@ -48,6 +48,7 @@ struct FileProgram {
   std::vector<std::string> outputs = {};  ///< of the executable, in order; empty: the usual ones
   PointFormat format = PointFormat::numbers;  ///< of the executable's file
   bool derivatives = false;                   ///< gives gradient and Jacobian, too
+  std::optional<std::int64_t> gradient_cost;  ///< of those beside the value [evaluations]; empty: n
   std::int64_t residuals = 0;                 ///< so many; 0: the objective is no sum of squares
   double seconds = 60;                  ///< allowed for an evaluation, with the program's start
   double megabytes = 2000;              ///< allowed besides those of ricochet
@@ -61,6 +62,7 @@ struct ProblemFile {
   std::string unit = {};
   Goal goal = Goal::minimise;
   bool noise = false;  ///< values differ from one evaluation of a point to the next
+  bool jumps = false;  ///< values jump, as counts do
   std::optional<double> best_known = {};  ///< as the goal has it
   double tolerance = 1e-6;                ///< of the objective
   FileProgram program;

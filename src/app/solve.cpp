@@ -320,7 +320,9 @@ int solve(const SolveOptions& options) {
     if (!options.seconds_given) limits.seconds = 1e8;
     limits.megabytes += own->file().program.megabytes;
   }
-  run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, limits,
+  Budget budget{options.budget};
+  if (own) budget.gradient_price = asked.gradient_cost;
+  run_all({{&seen, &solver, budget, options.seed, shown}}, limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });
   if (Progress::redraws()) std::fputs("\r\033[K", stderr);
   const StatedPoints stated(options, asked.formulated(formulation), formulation_name, own);

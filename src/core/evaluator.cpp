@@ -163,15 +163,19 @@ std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double obje
   return done ? hessian : std::nullopt;
 }
 
-bool Evaluator::ask_residuals(const Vector& x, Part part, std::int64_t price) {
+bool Evaluator::ask_residuals(const Vector& x, Part part, std::int64_t price, bool derivatives) {
   if (!admits(x, price)) return false;
   return guarded([&] {
     if (!shown().residuals) throw std::logic_error(problem_.name + " has no residuals");
     move_to(x);
-    residuals_ = {shown().residuals(inside_), static_cast<unsigned>(part)};
+    const bool alone = !derivatives && shown().residual_values;
+    residuals_ = {
+        alone ? Residuals{shown().residual_values(inside_), {}} : shown().residuals(inside_),
+        static_cast<unsigned>(part)};
     const Residuals& told = *residuals_.told;
     const Eigen::Index count = told.values.size();
-    if (count == 0 || told.jacobian.rows() != count || told.jacobian.cols() != x.size()) {
+    const bool fits = alone || (told.jacobian.rows() == count && told.jacobian.cols() == x.size());
+    if (count == 0 || !fits) {
       throw std::logic_error(problem_.name + " has no residuals, or a jacobian that does not fit");
     }
     ++ledger_.derivatives;
@@ -182,7 +186,7 @@ bool Evaluator::ask_residuals(const Vector& x, Part part, std::int64_t price) {
 
 std::optional<Vector> Evaluator::residual_values(const Vector& x, Part part) {
   if (!over() && remembers(x) && residuals_.has(part)) return residuals_.told->values;
-  if (!ask_residuals(x, part, 1)) return std::nullopt;
+  if (!ask_residuals(x, part, 1, false)) return std::nullopt;
   paid_jacobian_ = false;
   return residuals_.told->values;
 }
@@ -190,11 +194,11 @@ std::optional<Vector> Evaluator::residual_values(const Vector& x, Part part) {
 std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
   const bool told = !over() && remembers(x) && residuals_.told;
   if (told && paid_jacobian_ && residuals_.has(part)) return residuals_.told;
-  if (told && !paid_jacobian_) {
+  if (told && !paid_jacobian_ && residuals_.told->jacobian.size() > 0) {
     if (!admits(x, gradient_price())) return std::nullopt;
     ledger_.charged += gradient_price();
     residuals_.asked |= static_cast<unsigned>(part);
-  } else if (!ask_residuals(x, part, 1 + gradient_price())) {
+  } else if (!ask_residuals(x, part, gradient_price() + (told && !paid_jacobian_ ? 0 : 1), true)) {
     return std::nullopt;
   }
   paid_jacobian_ = true;
@@ -257,6 +261,7 @@ Problem penalised(const Problem& problem, double weight) {
     };
   }
   result.residuals = nullptr;
+  result.residual_values = nullptr;
   if (problem.smoothed) {
     result.smoothed = [smoothed = problem.smoothed, weight](double smoothing) {
       return penalised(smoothed(smoothing), weight);

@@ -138,6 +138,11 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
       return r;
     };
   }
+  if (problem.residual_values) {
+    result.residual_values = [original, inside](const Vector& x) {
+      return original->residual_values(inside(x));
+    };
+  }
   if (problem.true_values) {
     result.true_values = [original, inside](const Vector& x) {
       return original->true_values(inside(x));

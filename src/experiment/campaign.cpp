@@ -157,7 +157,8 @@ std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
   check_patterns(patterns, names, place + ", solvers", "`ricochet list solvers`");
   std::vector<Solver> chosen;
   for (const Solver& solver : catalogue.solvers) {
-    if (fits_any(solver.name, patterns)) chosen.push_back(solver);
+    const bool named = std::ranges::find(patterns, solver.name) != patterns.end();
+    if (named || (!solver.chooses && fits_any(solver.name, patterns))) chosen.push_back(solver);
   }
   chosen.insert(chosen.end(), own.begin(), own.end());
   return chosen;

@@ -116,6 +116,7 @@ Problem perturbed_by(const std::shared_ptr<PerturbedCalls>& perturbation, const 
       return perturbation->residuals(*original, x);
     };
   }
+  result.residual_values = nullptr;
   if (shown.lagrangian_hessian) {
     result.lagrangian_hessian = [original, perturbation](const Vector& x, double objective_factor,
                                                          const Vector& multipliers) {

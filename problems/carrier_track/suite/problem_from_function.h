@@ -75,6 +75,7 @@ Problem smoothable(const Problem& frame, const DefineAt& define_at, double smoot
     };
   }
   define_at(problem, smoothing);
+  problem.jumps = smoothing == 0;
   problem.smoothed = [frame, define_at](double other) {
     return smoothable(frame, define_at, other);
   };

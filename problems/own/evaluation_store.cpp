@@ -60,15 +60,7 @@ std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file) {
 }  // namespace
 
 EvaluationStore::EvaluationStore(std::filesystem::path file, std::string content)
-    : file_(std::move(file)), content_(std::move(content)) {
-  try {
-    database();
-    close();
-  } catch (const SQLite::Exception& error) {
-    throw InputError(
-        fmt::format("{}: cannot be used to keep evaluations: {}", file_.string(), error.what()));
-  }
-}
+    : file_(std::move(file)), content_(std::move(content)) {}
 
 EvaluationStore::~EvaluationStore() {
   close();
@@ -83,7 +75,12 @@ void EvaluationStore::close() {
 SQLite::Database& EvaluationStore::database() {
   if (owner_ == getpid()) return *database_;
   close();
-  database_ = opened(file_);
+  try {
+    database_ = opened(file_);
+  } catch (const SQLite::Exception& error) {
+    throw InputError(
+        fmt::format("{}: cannot be used to keep evaluations: {}", file_.string(), error.what()));
+  }
   owner_ = getpid();
   return *database_;
 }

@@ -133,6 +133,7 @@ void add_list(CommandLine& line);
 void add_solve(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_compare(CommandLine& line);
+void add_choose(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_run(CommandLine& line);
 void add_replay(CommandLine& line);

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_solve(line);
   add_evaluate(line);
   add_compare(line);
+  add_choose(line);
   line.start_group("campaign");
   add_plan(line);
   add_run(line);

@@ -34,7 +34,7 @@ std::vector<Evidence> evidence_in(const std::vector<std::string>& stores) {
     const Store store = Store::open(archive_named(name), Store::For::reading);
     FinishedCampaign finished = finished_campaign(store);
     const fs::path file = fs::absolute(name).lexically_normal();
-    std::string title = name == "archive"                  ? "reference"
+    std::string title = name == "archive"                  ? "the reference"
                         : file.filename() == "runs.sqlite" ? file.parent_path().filename().string()
                                                            : file.stem().string();
     all.push_back({std::move(title), std::move(finished.campaign), std::move(finished.results)});

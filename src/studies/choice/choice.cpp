@@ -184,7 +184,8 @@ std::string finding_of(const Table& settings) {
     before = runs;
     const auto percent = [&](const char* name) { return 100 * row.number(name); };
     text += fmt::format(
-        "{}{}, {}: auto solves {:.0f} % of the runs [{:.0f}, {:.0f}], mean over {} families; the "
+        "{}On the problems of {}, {}, auto solves {:.0f} % of the runs [{:.0f}, {:.0f}], mean over "
+        "{} families; the "
         "best entry of each family {:.0f} %, the best single entry, {}, {:.0f} %.",
         text.empty() ? "" : " ", runs, row.text("setting"), percent("auto"), percent("lower"),
         percent("upper"), row.number("families"), percent("family_best"), row.text("single"),

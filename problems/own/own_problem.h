@@ -17,6 +17,15 @@ struct EvaluationCounts {
   std::int64_t computed = 0;  ///< by the program
   std::int64_t found = 0;     ///< in the store
   std::int64_t failed = 0;    ///< of both
+  double seconds = 0;         ///< that the program took for both, now or then
+
+  EvaluationCounts& operator+=(const EvaluationCounts& other) {
+    computed += other.computed;
+    found += other.found;
+    failed += other.failed;
+    seconds += other.seconds;
+    return *this;
+  }
 };
 
 /// A problem of a user's own, with its program and its store of evaluations.
@@ -30,6 +39,9 @@ class OwnProblem {
   /// `run` names who asks, for the evaluations of a noisy problem. Starts nothing yet. Throws
   /// InputError for a file, a program or a store that cannot be used.
   explicit OwnProblem(ProblemFile file, std::string run = "");
+
+  /// The same problem, with the same program and store, for another run: with counts of its own.
+  OwnProblem of_run(std::string run) const;
 
   /// Works as long as this object or a copy of the problem lives.
   const Problem& problem() const { return problem_; }
@@ -47,6 +59,7 @@ class OwnProblem {
 
  private:
   struct Shared;
+  explicit OwnProblem(std::shared_ptr<Shared> shared);
 
   std::shared_ptr<Shared> shared_;
   Problem problem_;

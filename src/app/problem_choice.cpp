@@ -156,8 +156,7 @@ std::string in_words(const OwnProblem& own, const OwnAnswer& answer) {
   return text;
 }
 
-std::string evaluations_in_words(const OwnProblem& own) {
-  const own::EvaluationCounts counts = own.counts();
+std::string evaluations_in_words(const OwnProblem& own, const own::EvaluationCounts& counts) {
   std::string text = fmt::format("{} by {}", counted(counts.computed, "evaluation"), own.command());
   if (counts.found > 0) {
     text += fmt::format(", {} from {}", counts.found, own.store_path().string());
@@ -176,8 +175,8 @@ std::string evaluations_in_words(const OwnProblem& own) {
   return text;
 }
 
-Json json_of(const OwnProblem& own, const std::optional<OwnAnswer>& answer) {
-  const own::EvaluationCounts counts = own.counts();
+Json json_of(const OwnProblem& own, const own::EvaluationCounts& counts,
+             const std::optional<OwnAnswer>& answer) {
   Json json = {{"evaluations_by_program", counts.computed},
                {"evaluations_from_store", counts.found},
                {"failed_evaluations", counts.failed},

@@ -57,11 +57,12 @@ struct OwnAnswer {
 OwnAnswer answer_at(const own::OwnProblem& own, const Vector& seen, double objective,
                     std::int64_t most);
 
-/// The lines that say it, and those on the evaluations.
+/// The lines that say it, and those on the evaluations, of which there are so many.
 std::string in_words(const own::OwnProblem& own, const OwnAnswer& answer);
-std::string evaluations_in_words(const own::OwnProblem& own);
+std::string evaluations_in_words(const own::OwnProblem& own, const own::EvaluationCounts& counts);
 
 /// The same as JSON.
-report::Json json_of(const own::OwnProblem& own, const std::optional<OwnAnswer>& answer);
+report::Json json_of(const own::OwnProblem& own, const own::EvaluationCounts& counts,
+                     const std::optional<OwnAnswer>& answer);
 
 }  // namespace ricochet::cli

@@ -341,12 +341,12 @@ int solve(const SolveOptions& options) {
   }
   if (options.json) {
     Json data = json_of(record, verdict, formulation_name, options.perturbation, problem, stated);
-    if (own) data.update(json_of(*own, answer));
+    if (own) data.update(json_of(*own, own->counts(), answer));
     fmt::print("{}\n", data.dump(2));
   } else {
     print(record, verdict, formulation_name, options.perturbation, problem, stated);
     if (answer) fmt::print("{}", in_words(*own, *answer));
-    if (own) fmt::print("{}", evaluations_in_words(*own));
+    if (own) fmt::print("{}", evaluations_in_words(*own, own->counts()));
   }
   report::require_none(plot.failures);
   if (!record.failure.empty()) throw std::runtime_error(record.failure);

@@ -133,37 +133,6 @@ bool asks_for(const PlanPart& part, const Problem& problem) {
   return is_chosen(problem, part.problems) && part.takes(problem.dimension(), problem.constraints);
 }
 
-/// `own_texts`: the text of each user's solver in the plan, by its name.
-std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
-                               std::map<std::string, std::string>& own_texts,
-                               const std::string& place) {
-  std::vector<std::string> patterns;
-  std::vector<Solver> own;
-  std::vector<std::string> names;
-  for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
-  for (const std::string& text : part.solvers) {
-    if (auto solver = catalogue.own_solver ? catalogue.own_solver(text) : std::nullopt) {
-      const std::string& known = own_texts.try_emplace(solver->name, text).first->second;
-      if (known != text || std::find(names.begin(), names.end(), solver->name) != names.end()) {
-        throw InputError(fmt::format("{}, solvers {}: there is another solver of its name, {}",
-                                     place, text, solver->name));
-      }
-      names.push_back(solver->name);
-      own.push_back(*std::move(solver));
-    } else {
-      patterns.push_back(text);
-    }
-  }
-  check_patterns(patterns, names, place + ", solvers", "`ricochet list solvers`");
-  std::vector<Solver> chosen;
-  for (const Solver& solver : catalogue.solvers) {
-    const bool named = std::ranges::find(patterns, solver.name) != patterns.end();
-    if (named || (!solver.chooses && fits_any(solver.name, patterns))) chosen.push_back(solver);
-  }
-  chosen.insert(chosen.end(), own.begin(), own.end());
-  return chosen;
-}
-
 /// What is done to a problem before it is shown to solvers.
 struct PartPerturbation {
   std::string name;
@@ -284,11 +253,42 @@ std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
   return chosen;
 }
 
+std::vector<Solver> solvers_of(const std::vector<std::string>& texts, const Catalogue& catalogue,
+                               std::map<std::string, std::string>& own_texts,
+                               const std::string& place) {
+  std::vector<std::string> patterns;
+  std::vector<Solver> own;
+  std::vector<std::string> names;
+  for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
+  for (const std::string& text : texts) {
+    if (auto solver = catalogue.own_solver ? catalogue.own_solver(text) : std::nullopt) {
+      const std::string& known = own_texts.try_emplace(solver->name, text).first->second;
+      if (known != text || std::find(names.begin(), names.end(), solver->name) != names.end()) {
+        throw InputError(fmt::format("{} {}: there is another solver of its name, {}", place, text,
+                                     solver->name));
+      }
+      names.push_back(solver->name);
+      own.push_back(*std::move(solver));
+    } else {
+      patterns.push_back(text);
+    }
+  }
+  check_patterns(patterns, names, place, "`ricochet list solvers`");
+  std::vector<Solver> chosen;
+  for (const Solver& solver : catalogue.solvers) {
+    const bool named = std::ranges::find(patterns, solver.name) != patterns.end();
+    if (named || (!solver.chooses && fits_any(solver.name, patterns))) chosen.push_back(solver);
+  }
+  chosen.insert(chosen.end(), own.begin(), own.end());
+  return chosen;
+}
+
 void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
   const PlanPart& part = plan_.parts[part_index];
   const std::string place = fmt::format("part {}", part_index + 1);
   const std::vector<Chosen> chosen = problems_of(part, catalogue, place);
-  const std::vector<Solver> solvers = solvers_of(part, catalogue, own_texts_, place);
+  const std::vector<Solver> solvers =
+      solvers_of(part.solvers, catalogue, own_texts_, place + ", solvers");
   const std::vector<PartPerturbation> perturbations = perturbations_of(part, place);
   const auto add = [&](const Problem& problem, const std::string& family,
                        const Formulation& formulation, const PartPerturbation& perturbation,

@@ -34,6 +34,14 @@ struct Catalogue {
   std::function<Solver(const VariedSolver&)> varied_solver;
 };
 
+/// The solvers that the texts choose: those of the catalogue by patterns, but one that runs others
+/// by its name alone, then a user's own. `own_texts` receives the text of each of these, by its
+/// name. Throws InputError, which begins with `place`, for a pattern without a match and for a name
+/// that two solvers have.
+std::vector<Solver> solvers_of(const std::vector<std::string>& texts, const Catalogue& catalogue,
+                               std::map<std::string, std::string>& own_texts,
+                               const std::string& place);
+
 /// Results of searches, by problem name.
 using AllFindings = std::map<std::string, Findings>;
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "ricochet/error.h"
@@ -31,7 +32,21 @@ CREATE TABLE IF NOT EXISTS evaluations(
   objective REAL,
   seconds REAL NOT NULL,
   failure TEXT NOT NULL,      -- why there are no values; else empty
-  PRIMARY KEY(content, run, point, attempt)) WITHOUT ROWID)";
+  PRIMARY KEY(content, run, point, attempt)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS asked(  -- where values are told
+  id INTEGER PRIMARY KEY,
+  content TEXT NOT NULL, run TEXT NOT NULL, point BLOB NOT NULL, attempt INTEGER NOT NULL,
+  derivatives INTEGER NOT NULL,
+  UNIQUE(content, run, point, attempt)))";
+
+/// Binds what an evaluation and a point that is asked for have in common.
+void bind_key(SQLite::Statement& statement, const std::string& content, const EvaluationKey& key,
+              const std::string& point) {
+  statement.bind(1, content);
+  statement.bind(2, key.run);
+  statement.bind(3, point.data(), static_cast<int>(point.size()));
+  statement.bind(4, key.attempt);
+}
 
 std::string bytes_of_point(const Vector& x) {
   return {reinterpret_cast<const char*>(x.data()),
@@ -92,10 +107,7 @@ std::optional<Given> EvaluationStore::find(const ProblemFile& file, const Evalua
                         "SELECT derivatives, numbers, seconds, failure FROM evaluations WHERE "
                         "content = ? AND run = ? AND point = ? AND attempt = ?");
   const std::string point = bytes_of_point(x);
-  row.bind(1, content_);
-  row.bind(2, key.run);
-  row.bind(3, point.data(), static_cast<int>(point.size()));
-  row.bind(4, key.attempt);
+  bind_key(row, content_, key, point);
   if (!row.executeStep()) return std::nullopt;
   const bool has_derivatives = row.getColumn(0).getInt() != 0;
   Given given = nothing_given(file, has_derivatives);
@@ -127,10 +139,7 @@ Given EvaluationStore::keep(const ProblemFile& file, const EvaluationKey& key, c
         "objective = excluded.objective, seconds = seconds + excluded.seconds, "
         "failure = excluded.failure WHERE derivatives < excluded.derivatives");
     const std::string point = bytes_of_point(x), numbers = bytes_of(given);
-    add.bind(1, content_);
-    add.bind(2, key.run);
-    add.bind(3, point.data(), static_cast<int>(point.size()));
-    add.bind(4, key.attempt);
+    bind_key(add, content_, key, point);
     add.bind(5, derivatives ? 1 : 0);
     add.bind(6, numbers.data(), static_cast<int>(numbers.size()));
     if (!std::isnan(given.objective)) add.bind(7, given.objective);
@@ -145,6 +154,54 @@ Given EvaluationStore::keep(const ProblemFile& file, const EvaluationKey& key, c
     if (flush) kept.exec("PRAGMA synchronous = NORMAL");
   }
   return is_new ? given : find(file, key, x, derivatives).value_or(given);
+}
+
+std::int64_t EvaluationStore::ask(const EvaluationKey& key, const Vector& x, bool derivatives) {
+  const std::scoped_lock lock(mutex_);
+  SQLite::Statement row(database(),
+                        "INSERT INTO asked(content, run, point, attempt, derivatives) VALUES (?, "
+                        "?, ?, ?, ?) ON CONFLICT DO UPDATE SET derivatives = max(derivatives, "
+                        "excluded.derivatives) RETURNING id");
+  const std::string point = bytes_of_point(x);
+  bind_key(row, content_, key, point);
+  row.bind(5, derivatives ? 1 : 0);
+  row.executeStep();
+  const std::int64_t id = row.getColumn(0).getInt64();
+  while (row.executeStep()) {
+  }
+  return id;
+}
+
+std::vector<AskedPoint> EvaluationStore::asked() {
+  const std::scoped_lock lock(mutex_);
+  SQLite::Statement row(database(),
+                        "SELECT id, run, point, attempt, derivatives, EXISTS (SELECT 1 FROM "
+                        "evaluations e WHERE e.content = a.content AND e.run = a.run AND e.point = "
+                        "a.point AND e.attempt = a.attempt AND e.derivatives >= a.derivatives) "
+                        "FROM asked a WHERE content = ? ORDER BY id");
+  row.bind(1, content_);
+  std::vector<AskedPoint> points;
+  while (row.executeStep()) {
+    const std::string bytes = row.getColumn(2).getString();
+    Vector x(static_cast<Eigen::Index>(bytes.size() / sizeof(double)));
+    std::memcpy(x.data(), bytes.data(), static_cast<std::size_t>(x.size()) * sizeof(double));
+    points.push_back({row.getColumn(0).getInt64(),
+                      {row.getColumn(1).getString(), row.getColumn(3).getInt64()},
+                      std::move(x),
+                      row.getColumn(4).getInt() != 0,
+                      row.getColumn(5).getInt() != 0});
+  }
+  return points;
+}
+
+void EvaluationStore::forget(const AskedPoint& point) {
+  const std::scoped_lock lock(mutex_);
+  SQLite::Statement row(database(),
+                        "DELETE FROM evaluations WHERE content = ? AND run = ? AND point = ? AND "
+                        "attempt = ?");
+  const std::string bytes = bytes_of_point(point.x);
+  bind_key(row, content_, point.key, bytes);
+  row.exec();
 }
 
 std::int64_t EvaluationStore::forget_if_all_failed() {

@@ -22,6 +22,15 @@ struct EvaluationKey {
   std::int64_t attempt = 0;
 };
 
+/// A point whose values are asked for, where they are told; in the coordinates of the file.
+struct AskedPoint {
+  std::int64_t id;
+  EvaluationKey key;
+  Vector x;
+  bool derivatives;
+  bool told;  ///< its values are there
+};
+
 /// How often evaluations failed for one reason.
 struct FailureCount {
   std::string reason;
@@ -34,8 +43,8 @@ struct FailureCount {
 /// Evaluations of a program that was another one then are kept beside, and not found.
 class EvaluationStore {
  public:
-  /// Opens the file, or makes it, and closes it again. Throws InputError if it is no such file or
-  /// cannot be written.
+  /// The file is opened, or made, when it is first needed. All functions throw InputError if it is
+  /// no such file or cannot be written.
   EvaluationStore(std::filesystem::path file, std::string content);
   ~EvaluationStore();
   EvaluationStore(const EvaluationStore&) = delete;
@@ -51,6 +60,15 @@ class EvaluationStore {
   /// that was asked for.
   Given keep(const ProblemFile& file, const EvaluationKey& key, const Vector& x, bool derivatives,
              const Given& given);
+
+  /// Asks for the values at a point. Returns its number: that which it has, if it was asked for.
+  std::int64_t ask(const EvaluationKey& key, const Vector& x, bool derivatives);
+
+  /// All points that were asked for, in that order.
+  std::vector<AskedPoint> asked();
+
+  /// Forgets what is kept of a point, so that it can be told again.
+  void forget(const AskedPoint& point);
 
   /// Forgets all evaluations if none ever succeeded: then the program's surroundings failed.
   /// Returns how many.

@@ -44,14 +44,16 @@ class SharedCounts {
     if (!given.failure.empty()) ++counts_->failed;
     counts_->seconds += given.seconds;
   }
+  void ask(std::int64_t id) { counts_->asked = id; }
   EvaluationCounts read() const {
-    return {counts_->computed, counts_->found, counts_->failed, counts_->seconds};
+    return {counts_->computed, counts_->found, counts_->failed, counts_->seconds, counts_->asked};
   }
 
  private:
   struct Counts {
     std::atomic<std::int64_t> computed = 0, found = 0, failed = 0;
     std::atomic<double> seconds = 0;
+    std::atomic<std::int64_t> asked = 0;
   };
   Counts* counts_;
 };
@@ -137,6 +139,10 @@ struct OwnProblem::Shared {
         given = store->find(file, key, x, derivatives);
       }
       computed = !given;
+      if (computed && file.program.told) {
+        counts.ask(store->ask(key, x, derivatives));
+        throw std::runtime_error("its value at a point is not told yet: `ricochet ask` and `tell`");
+      }
       if (computed) {
         given = store->keep(file, key, x, derivatives, program->evaluate(x, derivatives));
       }

@@ -18,6 +18,7 @@ struct EvaluationCounts {
   std::int64_t found = 0;     ///< in the store
   std::int64_t failed = 0;    ///< of both
   double seconds = 0;         ///< that the program took for both, now or then
+  std::int64_t asked = 0;     ///< number of the point that a run waits for, last; 0: none does
 
   EvaluationCounts& operator+=(const EvaluationCounts& other) {
     computed += other.computed;

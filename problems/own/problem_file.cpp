@@ -73,6 +73,7 @@ void visit_fields(const Visit& visit, P&... p) {
   visit(Field{"command"}, p.command...);
   visit(Field{"executable"}, p.executable...);
   visit(Field{"library"}, p.library...);
+  visit(Field{"told"}, p.told...);
   visit(Field{"outputs"}, p.outputs...);
   visit(Field{"format"}, p.format...);
   visit(Field{"derivatives"}, p.derivatives...);
@@ -84,15 +85,15 @@ void visit_fields(const Visit& visit, P&... p) {
 }
 
 void check_fields(const TomlTable& in, const FileProgram& p) {
-  const int ways = !p.command.empty() + !p.executable.empty() + !p.library.empty();
+  const int ways = !p.command.empty() + !p.executable.empty() + !p.library.empty() + p.told;
   if (ways != 1) {
-    throw InputError(in.place() + ": must have one of command, executable and library");
+    throw InputError(in.place() + ": must have one of command, executable, library and told");
   }
   if (p.executable.empty() && p.format != PointFormat::numbers) {
     in.refuse("format", "left out but for an executable");
   }
-  if (p.executable.empty() && !p.outputs.empty()) {
-    in.refuse("outputs", "left out but for an executable");
+  if (p.executable.empty() && !p.told && !p.outputs.empty()) {
+    in.refuse("outputs", "left out but for an executable, and for values that are told");
   }
   if (!p.derivatives && p.gradient_cost) {
     in.refuse("gradient_cost", "left out where derivatives is false");
@@ -224,7 +225,7 @@ bool is_problem_file(const std::string& text) {
 
 ProblemFile problem_file_from(const std::string& text, const std::filesystem::path& path) {
   ProblemFile file = fields_from<ProblemFile>(text, path.string());
-  if (file.program.outputs.empty() && !file.program.executable.empty()) {
+  if (file.program.outputs.empty() && (file.program.told || !file.program.executable.empty())) {
     file.program.outputs = usual_outputs(file);
   }
   for (FileVariable& v : file.variables) {

@@ -40,11 +40,12 @@ struct FileConstraint {
   bool operator==(const FileConstraint&) const = default;
 };
 
-/// What computes the values. One of command, executable and library.
+/// What computes the values. One of command, executable and library, or told.
 struct FileProgram {
-  std::string command = {};               ///< started once; answers lines of JSON
-  std::string executable = {};            ///< started for each point, with the name of a file
-  std::string library = {};               ///< a shared library with ricochet_evaluate()
+  std::string command = {};     ///< started once; answers lines of JSON
+  std::string executable = {};  ///< started for each point, with the name of a file
+  std::string library = {};     ///< a shared library with ricochet_evaluate()
+  bool told = false;  ///< nothing here computes them: points are asked for, and their values told
   std::vector<std::string> outputs = {};  ///< of the executable, in order; empty: the usual ones
   PointFormat format = PointFormat::numbers;  ///< of the executable's file
   bool derivatives = false;                   ///< gives gradient and Jacobian, too

@@ -85,7 +85,7 @@ Program::Program(ProblemFile file) : file_(std::move(file)) {
           fmt::format("{}: library = '{}': there is no such file", file_.path.string(), p.library));
     }
     content.add_file(library);
-  } else {
+  } else if (!p.told) {
     const std::string& call = p.command.empty() ? p.executable : p.command;
     const std::vector<std::string> words = outside::words_of(call);
     content = outside::content_of_command(words, folder);
@@ -113,6 +113,7 @@ Program::Program(ProblemFile file) : file_(std::move(file)) {
 
 std::string Program::command() const {
   const FileProgram& p = file_.program;
+  if (p.told) return "tell";
   return one_line(p.library.empty() ? p.command + p.executable : p.library);
 }
 

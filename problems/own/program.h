@@ -35,6 +35,20 @@ std::string bytes_of(const Given& given);
 /// Reads them again into what has these sizes. Returns false if it has others.
 bool read_bytes(std::string_view bytes, Given& given);
 
+/// The values in a line of JSON, as `ricochet evaluate` answers. Throws InputError if it has not
+/// what is needed, and std::runtime_error with its reason if it says that there are none.
+Given given_in_line(const ProblemFile& file, std::string_view line, bool derivatives);
+
+/// The values among numbers in the order of the file's outputs, in text as C, Fortran and others
+/// write it; after a number that is alone on its line a word may stand, as in Dakota's results.
+/// Throws InputError if they are not as many as needed.
+Given given_in_numbers(const ProblemFile& file, const std::string& text);
+
+/// Makes the value of each binary constraint, in the order of the file, 0 where it holds, else 1.
+void make_binary(const ProblemFile& file, Vector& constraints);
+
+double half_sum_of_squares(const Vector& residuals);
+
 class Way;
 
 /// The program of a problem file, in one process for each thread that evaluates. A process that

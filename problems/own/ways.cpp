@@ -43,10 +43,6 @@ constexpr std::size_t last_words = 300;  // bytes
   throw std::runtime_error(reason);
 }
 
-Eigen::Index count(std::size_t size) {
-  return static_cast<Eigen::Index>(size);
-}
-
 constexpr double longest = 1e8;  // [s], for a clock that counts nanoseconds
 
 Clock::time_point deadline(const ProblemFile& file) {
@@ -71,23 +67,6 @@ std::string last_words_in(const fs::path& errors) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0)
     text.pop_back();
   return text.empty() ? "" : "; its last words: " + one_line(text);
-}
-
-/// A binary constraint as a number.
-double binary(double value) {
-  return std::isnan(value) ? missing : value <= 0 ? 0 : 1;
-}
-
-void make_binary(const ProblemFile& file, Vector& constraints) {
-  for (std::size_t i = 0; i < file.constraints.size(); ++i) {
-    if (file.constraints[i].kind != ConstraintKind::binary) continue;
-    double& value = constraints[count(i)];
-    value = binary(value);
-  }
-}
-
-double half_sum_of_squares(const Vector& residuals) {
-  return residuals.squaredNorm() / 2;
 }
 
 /// A process of the thread that made it.
@@ -128,7 +107,7 @@ class Command : public OneThreadsWay {
       const outside::Patience patience = patience_for(file());
       const auto line = program_.line(patience);
       if (!line) fail(program_.how_it_ended());
-      return understood(*line, derivatives);
+      return given_in_line(file(), *line, derivatives);
     } catch (const std::exception& error) {
       fail(error.what() + last_words_in(errors()));
     }
@@ -136,81 +115,6 @@ class Command : public OneThreadsWay {
 
  private:
   fs::path errors() const { return scratch_.path() / "errors"; }
-
-  Given understood(std::string_view line, bool derivatives) const {
-    const auto shown = [&] {
-      return one_line(line.substr(0, 80)) + (line.size() > 80 ? "..." : "");
-    };
-    Json answer;
-    try {
-      answer = Json::parse(line);
-    } catch (const Json::out_of_range&) {
-      fail("answered with a number that is too large: " + shown());
-    } catch (const Json::exception&) {
-      fail("answered with what is no JSON: " + shown());
-    }
-    if (!answer.is_object()) fail("answered with what is no JSON object: " + shown());
-    try {
-      return values_in(answer, derivatives);
-    } catch (const InputError& error) {
-      fail(fmt::format("{}: {}", error.what(), shown()));
-    }
-  }
-
-  Given values_in(const Json& answer, bool derivatives) const {
-    static const std::vector<std::string> keys = {"objective", "constraints", "gradient",
-                                                  "jacobian",  "residuals",   "residual_jacobian",
-                                                  "error"};
-    for (const auto& [key, value] : answer.items()) {
-      // `ricochet evaluate` itself may be the program.
-      if (key == "true_values" || key == "evaluations") continue;
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        throw InputError(
-            fmt::format("{} is not expected; {}", one_line(key), what_instead(key, keys)));
-    }
-    if (answer.contains("error")) {
-      const Json& error = answer["error"];
-      fail("said: " + one_line(error.is_string() ? error.get<std::string>() : error.dump()));
-    }
-    Given given = nothing_given(file(), derivatives);
-    const bool has_residuals = given.residuals.size() > 0;
-    if (has_residuals) read(answer, "residuals", given.residuals);
-    if (has_residuals && !answer.contains("objective")) {
-      given.objective = half_sum_of_squares(given.residuals);
-    } else {
-      if (!answer.contains("objective")) throw InputError("objective is missing");
-      given.objective = outside::asked_point(Json::array({answer["objective"]}), "objective", 1)[0];
-    }
-    if (!file().constraints.empty()) read(answer, "constraints", given.constraints);
-    make_binary(file(), given.constraints);
-    if (!derivatives) return given;
-    read(answer, "gradient", given.gradient);
-    if (!file().constraints.empty()) read(answer, "jacobian", given.jacobian);
-    if (has_residuals) read(answer, "residual_jacobian", given.residual_jacobian);
-    return given;
-  }
-
-  static void read(const Json& answer, const std::string& key, Vector& target) {
-    if (!answer.contains(key)) throw InputError(key + " is missing");
-    Json list = answer[key];
-    if (list.is_array()) {
-      for (Json& entry : list) {
-        if (entry.is_boolean()) entry = entry.get<bool>() ? 0 : 1;  // of a binary constraint
-      }
-    }
-    target = outside::asked_point(list, key, target.size());
-  }
-
-  static void read(const Json& answer, const std::string& key, Rows& target) {
-    if (!answer.contains(key) || !answer[key].is_array() ||
-        count(answer[key].size()) != target.rows()) {
-      throw InputError(fmt::format("{} must have {} rows", key, target.rows()));
-    }
-    for (Eigen::Index i = 0; i < target.rows(); ++i) {
-      target.row(i) = outside::asked_point(answer[key][static_cast<std::size_t>(i)],
-                                           fmt::format("row {} of {}", i + 1, key), target.cols());
-    }
-  }
 
   ScratchFolder scratch_;
   outside::LineProgram program_;
@@ -238,7 +142,7 @@ class Executable : public OneThreadsWay {
       }
       const std::string end = program.how_it_ended();
       if (end != "ended with exit code 0") fail(end);
-      return understood(in_file ? text_of_file(results) : text);
+      return given_in_numbers(file(), in_file ? text_of_file(results) : text);
     } catch (const std::exception& error) {
       fail(error.what() + last_words_in(errors));
     }
@@ -281,71 +185,6 @@ class Executable : public OneThreadsWay {
       return fmt::format("{} DVV_{}:{}", i + 1, i + 1, file().variables[i].name);
     });
     return text + "0 analysis_components\n1 eval_id\n";
-  }
-
-  /// The numbers of a text; after a number that is alone on its line a word may stand, as in
-  /// Dakota's results.
-  static std::vector<double> numbers_in(const std::string& text) {
-    std::vector<double> numbers;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-      std::replace_if(
-          line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
-      std::istringstream words(line);
-      std::size_t of_line = 0;
-      for (std::string word; words >> word; ++of_line) {
-        if (const auto number = number_in(word)) {
-          numbers.push_back(*number);
-        } else if (of_line != 1 || words >> word) {
-          fail("gave \"" + one_line(word.substr(0, 80)) + "\", which is no number");
-        }
-      }
-    }
-    return numbers;
-  }
-
-  /// A number as C, Fortran and others write it; NaN for one of the spellings of none: nan,
-  /// -nan(ind), 1.#QNAN.
-  static std::optional<double> number_in(std::string word) {
-    for (char& letter : word) {
-      letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-      if (letter == 'd') letter = 'e';
-    }
-    if (word.starts_with('+')) word.erase(0, 1);
-    if (const auto number = number_of_text<double>(word)) return number;
-    if (word.starts_with('-')) word.erase(0, 1);
-    const bool none = word.starts_with("nan") || word.find('#') != std::string::npos;
-    return none ? std::optional(missing) : std::nullopt;
-  }
-
-  Given understood(const std::string& text) const {
-    const std::vector<double> numbers = numbers_in(text);
-    const std::vector<std::string>& outputs = file().program.outputs;
-    Given given = nothing_given(file(), false);
-    const auto size_of = [&](const std::string& name) {
-      return name == "residuals" ? static_cast<std::size_t>(given.residuals.size()) : 1;
-    };
-    std::size_t expected = 0;
-    for (const std::string& name : outputs) expected += size_of(name);
-    if (numbers.size() != expected) {
-      fail(fmt::format("gave {} numbers, not {}: {}", numbers.size(), expected,
-                       fmt::join(outputs, ", ")));
-    }
-    std::size_t at = 0;
-    for (const std::string& name : outputs) {
-      const auto values = Eigen::Map<const Vector>(&numbers[at], count(size_of(name)));
-      at += size_of(name);
-      if (name == "objective") given.objective = values[0];
-      if (name == "residuals") given.residuals = values;
-      for (std::size_t i = 0; i < file().constraints.size(); ++i) {
-        if (file().constraints[i].name == name) given.constraints[count(i)] = values[0];
-      }
-    }
-    if (std::find(outputs.begin(), outputs.end(), "objective") == outputs.end()) {
-      given.objective = half_sum_of_squares(given.residuals);
-    }
-    make_binary(file(), given.constraints);
-    return given;
   }
 
   ScratchFolder scratch_;
@@ -407,7 +246,7 @@ class Library : public OneThreadsWay {
   }
 
   std::string answer_of(Function function, const std::string& request) const {
-    Vector x(count(file().variables.size()));
+    Vector x(static_cast<Eigen::Index>(file().variables.size()));
     std::memcpy(x.data(), request.data() + 1, static_cast<std::size_t>(x.size()) * sizeof(double));
     Given given = nothing_given(file(), request[0] == 'd');
     const auto where = [](auto& part) { return part.size() == 0 ? nullptr : part.data(); };

@@ -123,9 +123,7 @@ int choose_for(const ChooseOptions& options) {
 }
 
 int choose(const ChooseOptions& options, const std::string& out) {
-  if (options.budget < 1) {
-    throw InputError(fmt::format("--budget {}: must be >= 1", options.budget));
-  }
+  check_budget(options.budget);
   if (!options.problem.name.empty()) return choose_for(options);
   tell(studies::run(choice_study(evidence_in(options.stores)), false, out));
   return 0;

@@ -132,6 +132,8 @@ void add_problem(CommandLine& line);
 void add_list(CommandLine& line);
 void add_solve(CommandLine& line);
 void add_evaluate(CommandLine& line);
+void add_ask(CommandLine& line);
+void add_tell(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_choose(CommandLine& line);
 void add_plan(CommandLine& line);

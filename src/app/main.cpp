@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
   add_list(line);
   add_solve(line);
   add_evaluate(line);
+  add_ask(line);
+  add_tell(line);
   add_compare(line);
   add_choose(line);
   line.start_group("campaign");

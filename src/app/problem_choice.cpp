@@ -35,7 +35,7 @@ constexpr double near = 100;
 OwnProblem opened(const std::string& path, bool allowed, const std::string& run) {
   ProblemFile file = own::read_problem_file(path);
   const own::FileProgram& p = file.program;
-  announce_programs({p.command + p.executable + p.library}, allowed, path);
+  if (!p.told) announce_programs({p.command + p.executable + p.library}, allowed, path);
   OwnProblem own(std::move(file), run);
   if (own.store().forget_if_all_failed() > 0) {
     Progress::announce(own.store_path().string() +
@@ -83,6 +83,39 @@ ChosenProblem choose_problem(const ProblemChoice& choice, const std::string& run
       std::nullopt};
 }
 
+void check_budget(std::int64_t budget) {
+  // A number beyond the range of an integer arrives here as the largest one.
+  constexpr std::int64_t largest = 1'000'000'000;
+  if (budget < 1 || budget > largest) {
+    throw InputError(fmt::format("--budget {}: must be within 1..{}", budget, largest));
+  }
+}
+
+void check_seed(int seed) {
+  if (seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", seed));
+}
+
+Formulation accepted_formulation(const Problem& problem, const Solver& solver,
+                                 const std::string& wanted) {
+  std::vector<Formulation> accepted;
+  std::vector<std::string> names;
+  for (const Formulation& formulation : problem.formulations()) {
+    if (!solver.accepts(problem.formulated(formulation))) continue;
+    accepted.push_back(formulation);
+    names.push_back(problem.name_of(formulation));
+  }
+  if (accepted.empty()) {
+    const Capabilities& can = solver.capabilities;
+    throw InputError(fmt::format(
+        "{} accepts no formulation of {}; variables: {}; constraints: {}; needs: {}", solver.name,
+        problem.name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
+  }
+  if (wanted.empty()) return accepted.front();
+  return named(accepted, wanted,
+               fmt::format("formulation of {} that {} accepts", problem.name, solver.name),
+               [&](const Formulation& formulation) { return problem.name_of(formulation); });
+}
+
 OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, double objective,
                     std::int64_t most) {
   const ProblemFile& file = own.file();
@@ -109,7 +142,7 @@ OwnAnswer answer_at(const OwnProblem& own, const Vector& seen, double objective,
         c.name, value, violation_of(value, equality) <= 0,
         c.kind != own::ConstraintKind::binary && std::abs(value) <= near * constraint_tolerance};
   }
-  if (!file.noise) return answer;
+  if (!file.noise || file.program.told) return answer;
   // Not the run's own evaluations of the point, of which it has the best: that would flatter it.
   const OwnProblem again(file, "repetitions");
   std::vector<double> objectives;
@@ -256,6 +289,9 @@ std::vector<std::string> fitting_solvers(const Problem& problem) {
 int check_problem(const CheckOptions& options) {
   const OwnProblem own = opened(options.file, options.allow_programs, "check");
   const ProblemFile& file = own.file();
+  if (file.program.told) {
+    throw InputError(options.file + ": its values are told, and nothing is there to be checked");
+  }
   const Vector start = file.stated(own.problem().start);
   Trial trial;
   for (int k = 0; k < trials; ++k) trial.given.push_back(own.evaluate_again(start));

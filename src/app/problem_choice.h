@@ -6,6 +6,7 @@
 
 #include "problems/own/own_problem.h"
 #include "ricochet/problem.h"
+#include "ricochet/solver.h"
 #include "src/app/command_line.h"
 #include "src/report/json.h"
 
@@ -30,6 +31,15 @@ struct ChosenProblem {
 /// `run` names who asks, for the evaluations of a noisy problem. Throws InputError if there is no
 /// such problem, or if it starts a program and that is not allowed.
 ChosenProblem choose_problem(const ProblemChoice& choice, const std::string& run);
+
+/// Throw InputError unless the option of this name, of a run, is within its range.
+void check_budget(std::int64_t budget);
+void check_seed(int seed);
+
+/// The formulation of this name, or without one the first that the solver accepts. Throws
+/// InputError if there is none.
+Formulation accepted_formulation(const Problem& problem, const Solver& solver,
+                                 const std::string& wanted = "");
 
 /// The best point of a run, in a user's own words.
 struct OwnAnswer {

@@ -30,8 +30,6 @@
 namespace ricochet::cli {
 namespace {
 
-constexpr std::int64_t largest_budget = 1'000'000'000;
-
 using report::Json;
 
 struct SolveOptions {
@@ -67,28 +65,6 @@ void refuse_swapped(const SolveOptions& options) {
   if (is_solver(options.solver) || !is_solver(options.problem.name)) return;
   throw InputError(fmt::format("{0} {1}: the solver comes first: ricochet solve {1} {0}",
                                options.solver, options.problem.name));
-}
-
-/// The formulation asked for, or the first that the solver accepts.
-Formulation formulation_of(const SolveOptions& options, const Problem& problem,
-                           const Solver& solver) {
-  std::vector<Formulation> accepted;
-  std::vector<std::string> names;
-  for (const Formulation& formulation : problem.formulations()) {
-    if (!solver.accepts(problem.formulated(formulation))) continue;
-    accepted.push_back(formulation);
-    names.push_back(problem.name_of(formulation));
-  }
-  if (accepted.empty()) {
-    const Capabilities& can = solver.capabilities;
-    throw InputError(fmt::format(
-        "{} accepts no formulation of {}; variables: {}; constraints: {}; needs: {}", solver.name,
-        problem.name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
-  }
-  if (options.formulation.empty()) return accepted.front();
-  return named(accepted, options.formulation,
-               fmt::format("formulation of {} that {} accepts", problem.name, solver.name),
-               [&](const Formulation& formulation) { return problem.name_of(formulation); });
 }
 
 /// Wraps the problem in the selected perturbation. Its random numbers depend on problem, instance
@@ -294,21 +270,18 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
 }
 
 int solve(const SolveOptions& options) {
-  // A number beyond the range of an integer arrives here as the largest one.
-  if (options.budget < 1 || options.budget > largest_budget)
-    throw InputError(
-        fmt::format("--budget {}: must be within 1..{}", options.budget, largest_budget));
+  check_budget(options.budget);
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }
-  if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
+  check_seed(options.seed);
   check(options.limits);
   refuse_swapped(options);
   const Solver solver = solver_of(options.solver);
   const auto [asked, own] = choose_problem(
       options.problem, fmt::format("{} {} instance {} seed {}", options.solver, options.formulation,
                                    options.instance, options.seed));
-  const Formulation formulation = formulation_of(options, asked, solver);
+  const Formulation formulation = accepted_formulation(asked, solver, options.formulation);
   const std::string formulation_name = asked.name_of(formulation);
   const Problem problem = featured(
       options, instance(asked.formulated(formulation), options.instance), formulation_name);

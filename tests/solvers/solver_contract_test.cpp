@@ -152,7 +152,8 @@ TEST_P(SolverContract, SpendsItsBudgetAndNoMore) {
       EXPECT_LE(record.returned.has_value(), record.ledger.charged > 0);
       if (budget <= 2) {  // the evaluator refuses at once
         EXPECT_LE(record.ledger.refused, most_refused);
-        EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
+        EXPECT_THAT(record.terminations.back().reason,
+                    testing::EndsWith("stopped by the evaluator"));
       }
       if (problem.name != "sphere") continue;
       const Eigen::Index n = problem.dimension();
@@ -167,7 +168,7 @@ TEST_P(SolverContract, EndsWhenTheTimeIsSpent) {
   const RunRecord record = run(easy(), solver(), {1'000'000'000, 0.02}, 0);
   EXPECT_LE(record.ledger.refused, most_refused);
   EXPECT_EQ(record.termination_reason, TerminationReason::seconds);
-  EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
+  EXPECT_THAT(record.terminations.back().reason, testing::EndsWith("stopped by the evaluator"));
 }
 
 TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
@@ -246,7 +247,7 @@ TEST_P(SolverContract, EndsAndReportsWhenTheProblemThrows) {
     EXPECT_EQ(record.termination_reason, TerminationReason::failure);
     const Ledger& ledger = record.ledger;
     EXPECT_EQ(ledger.values + ledger.derivatives + ledger.hessians, calls);
-    EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
+    EXPECT_THAT(record.terminations.back().reason, testing::EndsWith("stopped by the evaluator"));
   }
 }
 

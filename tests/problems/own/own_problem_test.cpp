@@ -342,6 +342,7 @@ TEST_F(OwnProblemTest, RefusesFilesWithPlaceValueAndWhatIsAllowed) {
        {"name = 'p'\nmood = 1\n" + program + a, "mood"},
        {"name = 'p'\ngoal = 'best'\n" + program + a, "\"minimise\" or \"maximise\""},
        {"name = 'p'\n[program]\ncommand = 'cat'\nlibrary = 'x.so'\n" + a, "one of command"},
+       {"name = 'p'\n[program]\ncommand = 'cat'\ntold = true\n" + a, "one of command"},
        {"name = 'p'\n[program]\nexecutable = './none'\n" + a, "no such program"},
        {"name = 'p'\n[program]\nlibrary = 'none.so'\n" + a, "no such file"},
        {"name = 'p'\n" + program + "files = ['none']\n" + a, "no such file"},
@@ -361,7 +362,8 @@ TEST_F(OwnProblemTest, RefusesFilesWithPlaceValueAndWhatIsAllowed) {
        {"name = 'p'\n" + program + "[[variable]]\nname = 'a'\nlower = 0\nupper = inf\n",
         "finite"}});
   write_file(folder_ / "p.evaluations", "something else");
-  EXPECT_THAT(complaint_of([&] { return read("name = 'p'\n" + program + a); }),
+  const OwnProblem unkept = read("name = 'p'\n" + program + a);
+  EXPECT_THAT(complaint_of([&] { return unkept.store().failures(); }),
               HasSubstr("p.evaluations"));
 }
 

@@ -147,7 +147,7 @@ struct OwnProblem::Shared {
         given = store->keep(file, key, x, derivatives, program->evaluate(x, derivatives));
       }
     }
-    counts.add(computed, *given);
+    if (computed || !last) counts.add(computed, *given);
     const std::scoped_lock lock(mutex);
     latest = {x, derivatives, *given};
     return *given;

@@ -136,7 +136,10 @@ def converse(lines):
         lines.flush()
 
     def hear():
-        line = lines.readline()
+        try:
+            line = lines.readline()
+        except ConnectionResetError:  # the other side ended before it read all
+            line = ""
         if not line:
             os._exit(0)
         return json.loads(line)

@@ -264,7 +264,7 @@ Chart progress_chart(const OwnRuns& all, const Scores& scores) {
       most = std::max(most, sample.value.value_or(0));
     }
   }
-  constexpr double far = 30;  // a ratio of values that a linear axis does not show
+  constexpr double far = 10;  // a ratio of values that a linear axis does not show
   if (least > 0 && most > far * least) chart.y.scale = report::Scale::logarithmic;
   return chart;
 }
@@ -411,6 +411,8 @@ Results results_of(const OwnRuns& all, const std::optional<OwnBest>& best,
   Table failed =
       where(*results.table("runs"), [](const Row& row) { return !row.text("failure").empty(); });
   failed.name = "failed-runs";
+  const auto failures_of_runs = std::ssize(failed.rows);
+  results.set("failed_runs", failures_of_runs > 0 ? std::optional(failures_of_runs) : std::nullopt);
   results.add(std::move(failed));
   if (scores.best < never) {
     results.add(progress_chart(all, scores));

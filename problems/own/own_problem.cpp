@@ -150,6 +150,7 @@ struct OwnProblem::Shared {
     if (computed || !last) counts.add(computed, *given);
     const std::scoped_lock lock(mutex);
     latest = {x, derivatives, *given};
+    if (!given->failure.empty()) latest.x.resize(0);  // the store may forget it
     return *given;
   }
 

@@ -1,6 +1,7 @@
 #include "src/app/own_comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,10 +81,11 @@ Ranking ranking_of_runs(const std::vector<OwnRun>& round, double best, double to
   std::vector<std::optional<Reached>> reached;
   for (const OwnRun& run : round) {
     const double value = std::max(value_within(run), best + tolerance);
-    if (value == never) {
-      reached.push_back({{never, run.best() ? run.best()->true_values.violation : never}});
-    } else {
+    const Improvement* nearest = run.best();
+    if (value < never) {
       reached.push_back({{value, evaluations_until(run, value)}});
+    } else {
+      reached.push_back({{never, nearest ? nearest->true_values.violation : never}});
     }
   }
   return ranking_of(reached);
@@ -359,24 +361,19 @@ void add_answer(const OwnRuns& all, const OwnAnswer& answer, Results& results) {
 }
 
 /// Hash of every bit of the runs' improvements; times are left out.
-std::uint64_t digest_of(const OwnRuns& all) {
+std::string digest_of(const OwnRuns& all) {
   FnvHash hash;
-  const auto add = [&hash](double number) {
-    hash.add({reinterpret_cast<const char*>(&number), sizeof number});
-  };
   for (const auto& round : all.runs) {
     for (const OwnRun& run : round) {
-      hash.add(run.record.solver + (run.record.failure.empty() ? "\n" : " failed\n"));
-      add(static_cast<double>(run.record.ledger.charged));
+      hash.add(fmt::format("{} {} {}\n", run.record.solver, run.record.ledger.charged,
+                           run.record.failure.empty()));
       for (const Improvement& step : run.record.trace) {
-        add(static_cast<double>(step.evaluations));
-        add(step.true_values.objective);
-        add(step.true_values.violation);
-        for (const double x : step.x) add(x);
+        hash.add(fmt::format("{} {:a} {:a} {:a}\n", step.evaluations, step.true_values.objective,
+                             step.true_values.violation, fmt::join(step.x, " ")));
       }
     }
   }
-  return hash.value();
+  return fmt::format("{:016x}", hash.value());
 }
 
 /// What the report own_comparison.md shows.
@@ -396,7 +393,7 @@ Results results_of(const OwnRuns& all, const std::optional<OwnBest>& best,
   results.set("reference",
               scores.best < never ? std::optional(said_in_words(scores.best, all)) : std::nullopt);
   results.set("evaluations", evaluations_in_words(all.own, all.counts));
-  results.set("digest", fmt::format("digest {:016x}", digest_of(all)));
+  results.set("digest", "digest " + digest_of(all));
   results.set("command", all.own.command());
   results.set("computed", all.counts.computed);
   results.set("found", all.counts.found);
@@ -440,9 +437,7 @@ Json compare_on(const OwnComparisonOptions& options, const std::string& file,
     const std::optional<OwnBest> best = best_of(all);
     const std::optional<OwnAnswer> answer = answer_of(all, best);
     const Results results = results_of(all, best, answer.value_or(OwnAnswer()));
-    told = {{"problem", all.own.file().name},
-            {"budget", all.budget},
-            {"digest", fmt::format("{:016x}", digest_of(all))}};
+    told = {{"problem", all.own.file().name}, {"budget", all.budget}, {"digest", digest_of(all)}};
     told.update(json_of(all.own, all.counts, answer));
     told["entries"] = json_rows_of(*results.table("entries"));
     told["runs"] = json_rows_of(*results.table("runs"));

@@ -134,6 +134,29 @@ double measured_cost(OwnRuns& all, const Limits& limits) {
   return seconds[trials / 2] + overhead;
 }
 
+/// Sets rounds and budget by the options. `seconds` is this file's part of the time.
+void plan_runs(OwnRuns& all, const OwnComparisonOptions& options, std::int64_t files,
+               double seconds, const Limits& limits) {
+  const auto entries = static_cast<std::int64_t>(all.entries.size());
+  if (options.evaluations) {
+    const std::int64_t evaluations = *options.evaluations / files;
+    if (evaluations < entries) {
+      throw InputError(fmt::format("--evaluations {}: must be at least {}, one for each entry",
+                                   *options.evaluations, entries * files));
+    }
+    share_out(all, evaluations, options.starts);
+  } else if (options.seconds) {
+    const auto at_once =
+        static_cast<double>(std::min(processes_of_runs(), static_cast<std::size_t>(entries)));
+    const double fit = seconds * at_once / measured_cost(all, limits);
+    share_out(all, std::max(entries, static_cast<std::int64_t>(fit)), options.starts);
+  } else {
+    const std::vector<std::int64_t>& budgets = options.compared.budgets;
+    all.rounds = options.starts;
+    all.budget = (budgets.empty() ? usual_budget : budgets.front()) * all.own.problem().dimension();
+  }
+}
+
 }  // namespace
 
 OwnRuns own_runs(const OwnComparisonOptions& options, const std::string& file) {
@@ -144,35 +167,17 @@ OwnRuns own_runs(const OwnComparisonOptions& options, const std::string& file) {
   }
   OwnRuns all{*choose_problem({file, "", {}, options.allow_programs}, "compare").own};
   all.entries = entries_for(options, all.own.problem());
-  const auto entries = static_cast<std::int64_t>(all.entries.size());
-  const auto files = static_cast<std::int64_t>(split_patterns(options.compared.problems).size());
-  const auto begun = Clock::now();
   Limits limits = options.compared.limits;
   limits.megabytes += all.own.file().program.megabytes;
+  const auto files = static_cast<std::int64_t>(split_patterns(options.compared.problems).size());
+  const double seconds = options.seconds.value_or(0) / static_cast<double>(files);
+  const auto begun = Clock::now();
+  const auto time_is_over = [&] {
+    return options.seconds && std::chrono::duration<double>(Clock::now() - begun).count() > seconds;
+  };
+  plan_runs(all, options, files, seconds, limits);
 
-  std::optional<std::int64_t> evaluations;
-  double seconds = 0;
-  if (options.evaluations) {
-    evaluations = *options.evaluations / files;
-    if (*evaluations < entries) {
-      throw InputError(fmt::format("--evaluations {}: must be at least {}, one for each entry",
-                                   *options.evaluations, entries * files));
-    }
-  } else if (options.seconds) {
-    seconds = *options.seconds / static_cast<double>(files);
-    const auto at_once =
-        static_cast<double>(std::min(processes_of_runs(), static_cast<std::size_t>(entries)));
-    evaluations = std::max(
-        entries, static_cast<std::int64_t>(seconds * at_once / measured_cost(all, limits)));
-  }
-  if (evaluations) {
-    share_out(all, *evaluations, options.starts);
-  } else {
-    const std::vector<std::int64_t>& budgets = options.compared.budgets;
-    all.rounds = options.starts;
-    all.budget = (budgets.empty() ? usual_budget : budgets.front()) * all.own.problem().dimension();
-  }
-
+  const auto entries = static_cast<std::int64_t>(all.entries.size());
   Progress::announce(fmt::format("{} of {} from {}, {} each", counted(entries * all.rounds, "run"),
                                  counted(entries, "entry", "entries"), counted(all.rounds, "start"),
                                  counted(all.budget, "evaluation")));
@@ -180,9 +185,6 @@ OwnRuns own_runs(const OwnComparisonOptions& options, const std::string& file) {
       [] {}, all.own.store_path().string() + " keeps the evaluations: the same command goes on");
   Progress progress("comparing solvers on " + all.own.problem().name,
                     static_cast<double>(entries * all.rounds));
-  const auto time_is_over = [&] {
-    return options.seconds && std::chrono::duration<double>(Clock::now() - begun).count() > seconds;
-  };
   for (int round = 0; round < all.rounds && !(round > 0 && time_is_over());) {
     std::vector<PlannedRun> planned;
     // Only a limit of time waits for the end of each round.

@@ -210,7 +210,10 @@ std::optional<std::string_view> LineProgram::line(const Patience& patience) {
     searched = read_.size() - begin_;
     if (searched > longest_line) throw std::runtime_error("a line of more than 4 MiB");
     if (!waited_for_more(patience)) {
-      if (patience.until) throw std::runtime_error("took too long; " + last_line());
+      if (patience.until) {
+        const char* const hint = lines_ == 0 ? "; are its lines flushed?" : "";
+        throw std::runtime_error("took too long; " + last_line() + hint);
+      }
       throw std::runtime_error(
           fmt::format("wrote nothing for {} s after {}; {}; are its lines flushed?",
                       patience.limit->count(), patience.after, last_line()));

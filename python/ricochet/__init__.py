@@ -14,15 +14,25 @@ A machine is one yarn carrier in its clearance, described by a TOML file.
 >>> scene.counts([5.0, 6.0, 7.0])
 array([ 0, 21, 42], dtype=int32)
 
+A function of your own is minimised by the solvers of the suite, in this process.
+
+>>> bowl = ricochet.Problem(lambda x: (x[0] - 1) ** 2 + x[1] ** 2, [-2, -2], [2, 2])
+>>> found = ricochet.minimise(bowl, budget=200)
+>>> print(found.solver, found.x.round(4) + 0, round(found.value, 6))
+nlopt-mlsl-bobyqa [1. 0.] 0.0
+
 `ricochet.runs` reads a store of runs, `ricochet.solver` makes a function a solver that ricochet
 compares with others.
 
 The C library libricochet.so.3 is loaded at its first use: the one that the environment variable
 RICOCHET_LIBRARY names, else the one beside these files, else the system's. Needs NumPy.
+libricochet_minimise.so.3, with the solvers, lies beside it.
 """
 
 from ._library import Error
-from ._problem import Problem, problem, problems
+from ._minimise import Result, compare, minimise
+from ._own_problem import Problem
+from ._problem import SuiteProblem, problem, problems
 from ._results import Evaluated, RunOver, TrueValues, Variable
 from ._scene import Impacts, Path, Regime, Scene, Simulation, Threshold
 from ._solver import SearchedProblem, solver
@@ -37,13 +47,17 @@ __all__ = [
     "Path",
     "Problem",
     "Regime",
+    "Result",
     "RunOver",
     "Scene",
     "SearchedProblem",
     "Simulation",
+    "SuiteProblem",
     "Threshold",
     "TrueValues",
     "Variable",
+    "compare",
+    "minimise",
     "problem",
     "problems",
     "runs",

@@ -6,6 +6,7 @@ import ctypes
 import functools
 import os
 import pathlib
+from typing import Any, List, Mapping, Tuple
 
 ABI = 3
 
@@ -67,12 +68,29 @@ class Error(RuntimeError):
 @functools.lru_cache(maxsize=None)
 def library() -> ctypes.CDLL:
     """The library, loaded at the first call. Raises ImportError if there is none that fits."""
+    path, loaded = _loaded("libricochet.so.3", _FUNCTIONS)
+    if loaded.ricochet_abi() != ABI:
+        raise ImportError(f"ricochet: the interface of {path} is {loaded.ricochet_abi()}, not {ABI}")
+    return loaded
+
+
+@functools.lru_cache(maxsize=None)
+def minimise_library() -> ctypes.CDLL:
+    """The library with the solvers, which lies beside the other. Raises ImportError as `library`
+    does."""
+    return _loaded("libricochet_minimise.so.3", {"minimise": (_int, [_handle, _handle])})[1]
+
+
+def _loaded(file: str, functions: Mapping[str, Tuple[Any, List[Any]]]) -> Tuple[str, ctypes.CDLL]:
+    """Path of a library, and the library with these functions."""
     named = os.environ.get("RICOCHET_LIBRARY")
-    beside = pathlib.Path(__file__).resolve().with_name("libricochet.so.3")
-    path = named or (str(beside) if beside.exists() else "libricochet.so.3")
+    beside = pathlib.Path(__file__).resolve().with_name(file)
+    path = str(beside) if beside.exists() else file
+    if named:  # libricochet.so.3 itself; others lie beside it
+        path = named if file == "libricochet.so.3" else str(pathlib.Path(named).with_name(file))
     try:
         loaded = ctypes.CDLL(path)
-        for name, (returned, taken) in _FUNCTIONS.items():
+        for name, (returned, taken) in functions.items():
             function = getattr(loaded, "ricochet_" + name)
             function.restype = returned
             function.argtypes = taken
@@ -80,9 +98,7 @@ def library() -> ctypes.CDLL:
         raise ImportError(
             f"ricochet: {path} cannot be loaded ({error}); RICOCHET_LIBRARY may name another"
         ) from error
-    if loaded.ricochet_abi() != ABI:
-        raise ImportError(f"ricochet: the interface of {path} is {loaded.ricochet_abi()}, not {ABI}")
-    return loaded
+    return path, loaded
 
 
 def last_error() -> str:

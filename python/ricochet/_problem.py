@@ -29,8 +29,8 @@ def problems() -> List[str]:
     return names
 
 
-class Problem:
-    """An open problem. `close` it, or use it in `with`. Several threads may use it at once: the
+class SuiteProblem:
+    """An open problem of the suite, as `ricochet.problem` returns it. `close` it, or use it in `with`. Several threads may use it at once: the
     library evaluates for one after the other.
 
     name: str. unit: of the objective, "" if it has none.
@@ -244,19 +244,19 @@ class Problem:
         if left == 0:
             raise RunOver(f"{self.name} cannot be copied: its budget is spent")
         options = {"instance": instance, "budget": left, "seed": seed, "scene": scene}
-        return functools.partial(Problem, name, formulation, **options), ()
+        return functools.partial(SuiteProblem, name, formulation, **options), ()
 
-    def __enter__(self) -> Problem:
+    def __enter__(self) -> SuiteProblem:
         return self
 
     def __exit__(self, *exception: object) -> None:
         self.close()
 
     def __repr__(self) -> str:
-        return f"<ricochet.Problem {self.name}{'' if self._calls.opened else ', closed'}>"
+        return f"<ricochet.SuiteProblem {self.name}{'' if self._calls.opened else ', closed'}>"
 
 
-problem = Problem
+problem = SuiteProblem
 
 
 def _within(what: str, number: int, lowest: int, highest: int) -> int:

@@ -83,18 +83,26 @@ benchmarks solvers of nonlinear programming on that question."
 ricochet_package(libricochet${abi} libs "problems of ricochet, for programs of any language"
 "The shared library through which optimisers ask for values and derivatives of
 the problems of ricochet.")
-file(CONFIGURE OUTPUT debian/shlibs CONTENT "libricochet @abi@ libricochet@abi@ @same_version@\n")
+ricochet_package(libricochet-minimise${abi} libs "solvers of ricochet, for functions of any language"
+"The shared library through which programs minimise functions of their own by
+the solvers of ricochet."
+  SUGGESTS ricochet-tao python3-scipy)
+file(CONFIGURE OUTPUT debian/shlibs CONTENT "libricochet @abi@ libricochet@abi@ @same_version@
+libricochet_minimise @abi@ libricochet-minimise@abi@ @same_version@\n")
 file(CONFIGURE OUTPUT debian/triggers CONTENT "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_LIBRICOCHET${abi}_PACKAGE_CONTROL_EXTRA ${debian}/shlibs ${debian}/triggers)
+foreach(library LIBRICOCHET${abi} LIBRICOCHET-MINIMISE${abi})
+  set(CPACK_DEBIAN_${library}_PACKAGE_CONTROL_EXTRA ${debian}/shlibs ${debian}/triggers)
+endforeach()
 ricochet_package(libricochet-dev libdevel "libraries of ricochet, for programs in C and C++"
 "Headers, static libraries and find_package(ricochet) for CMake: simulate a
 machine, run solvers. ricochet::solvers needs the suggested packages."
   DEPENDS "libricochet${abi} ${same_version}" libeigen3-dev libfmt-dev libtbb-dev libtomlplusplus-dev
-  SUGGESTS ${solver_packages})
+  SUGGESTS "libricochet-minimise${abi} ${same_version}" ${solver_packages})
 ricochet_package(python3-ricochet python "problems of ricochet, for optimisers in Python"
 "The module ricochet: values, derivatives and constraints of the problems of
-ricochet as NumPy arrays."
-  DEPENDS "libricochet${abi} ${same_version}" python3 python3-numpy)
+ricochet as NumPy arrays, and its solvers for functions in Python."
+  DEPENDS "libricochet${abi} ${same_version}" python3 python3-numpy
+  RECOMMENDS "libricochet-minimise${abi} ${same_version}" python3-pandas)
 set(CPACK_DEBIAN_PYTHON3-RICOCHET_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON3-RICOCHET_PACKAGE_CONTROL_EXTRA
   ${PROJECT_SOURCE_DIR}/cmake/debian/python/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/python/prerm)

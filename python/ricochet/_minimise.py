@@ -88,9 +88,9 @@ def minimise(
     >>> found = ricochet.minimise(problem, "nlopt-cobyla", budget=100)
     >>> round(found.value, 6), found.evaluations, found.failed
     (3.0, 100, 0)
-    >>> ricochet.minimise(problem, "nlopt-cobila")
+    >>> ricochet.minimise(problem, "nlopt-cobila")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    ricochet.Error: solver nlopt-cobila: there is no such solver; did you mean nlopt-cobyla?
+    ricochet.Error: solver nlopt-cobila: there is no such solver; did you mean nlopt-cobyla or ...
     """
     if not isinstance(problem, Problem):
         raise TypeError(f"problem must be a ricochet.Problem, not {problem!r}")

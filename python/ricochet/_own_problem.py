@@ -46,6 +46,7 @@ class Problem:
     costs that evaluation alone. f and then the constraints are called with the same point: if one
     simulation gives all of them, remember its last answer.
 
+    >>> import functools
     >>> def simulated(x):
     ...     return {"cost": x[0] + x[1], "strength": x[0] * x[1]}
     >>> last = functools.lru_cache(maxsize=1)(lambda *x: simulated(x))

@@ -308,14 +308,15 @@ namespace ricochet::tao {
 
 namespace {
 
-/// Sets or removes environment variables and restores them on destruction: programs started later
-/// may be parallel ones.
+/// Sets or removes environment variables and restores them on destruction, and others that change
+/// meanwhile: programs started later may be parallel ones.
 class Environment {
  public:
-  explicit Environment(const std::map<std::string, std::optional<std::string>>& wanted) {
+  Environment(const std::map<std::string, std::optional<std::string>>& wanted,
+              const std::vector<std::string>& others) {
+    for (const std::string& name : others) keep(name);
     for (const auto& [name, value] : wanted) {
-      const char* const before = std::getenv(name.c_str());
-      before_[name] = before ? std::optional<std::string>(before) : std::nullopt;
+      keep(name);
       put(name, value);
     }
   }
@@ -326,6 +327,10 @@ class Environment {
   Environment& operator=(const Environment&) = delete;
 
  private:
+  void keep(const std::string& name) {
+    const char* const before = std::getenv(name.c_str());
+    before_[name] = before ? std::optional<std::string>(before) : std::nullopt;
+  }
   static void put(const std::string& name, const std::optional<std::string>& value) {
     if (value) {
       setenv(name.c_str(), value->c_str(), 1);
@@ -356,16 +361,21 @@ class SignalHandlers {
 bool initialise() {
   // A single process: no daemon, no network, even within a parallel job. Missing components need
   // not be searched for, which takes ten times as long.
-  const Environment environment({{"OMPI_MCA_ess", "singleton"},
-                                 {"OMPI_MCA_ess_singleton_isolated", "1"},
-                                 {"OMPI_MCA_pmix", "isolated"},
-                                 {"OMPI_MCA_pml", "ob1"},
-                                 {"OMPI_MCA_btl", "self"},
-                                 {"OMPI_MCA_mtl", "^ofi"},
-                                 {"OMPI_MCA_osc", "^ucx"},
-                                 {"OMPI_MCA_coll", "basic,self,libnbc"},
-                                 {"HWLOC_HIDE_ERRORS", "2"},  // without /sys it would print one
-                                 {"PETSC_OPTIONS", std::nullopt}});
+  const Environment environment(
+      {{"OMPI_MCA_ess", "singleton"},
+       {"OMPI_MCA_ess_singleton_isolated", "1"},
+       {"OMPI_MCA_pmix", "isolated"},
+       {"OMPI_MCA_pml", "ob1"},
+       {"OMPI_MCA_btl", "self"},
+       {"OMPI_MCA_mtl", "^ofi"},
+       {"OMPI_MCA_osc", "^ucx"},
+       {"OMPI_MCA_coll", "basic,self,libnbc"},
+       {"HWLOC_HIDE_ERRORS", "2"},  // without /sys it would print one
+       {"PETSC_OPTIONS", std::nullopt}},
+      // What MPI leaves there, and a program of its own would stumble on.
+      {"HFI_NO_BACKTRACE", "OMPI_APP_CTX_NUM_PROCS", "OMPI_MCA_orte_ess_num_procs",
+       "OMPI_MCA_orte_precondition_transports", "ORTE_SCHIZO_DETECTION",
+       "PMIX_MCA_mca_base_component_show_load_errors"});
   const SignalHandlers handlers;
   int there = 0;
   MPI_Initialized(&there);

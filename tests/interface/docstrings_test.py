@@ -15,11 +15,11 @@ except ImportError:
 
 import ricochet
 
-NEEDS_PANDAS = "runs"
+NEEDS_PANDAS = {"compare", "runs"}
 NO_EXAMPLE = {"solver", "SearchedProblem"}  # need a whole program: see python_solver_test.py
 RESULTS = {  # of what has an example
-    "Error", "Evaluated", "Impacts", "Path", "Regime", "RunOver", "Simulation", "Threshold",
-    "TrueValues", "Variable",
+    "Error", "Evaluated", "Impacts", "Path", "Regime", "Result", "RunOver", "Simulation",
+    "Threshold", "TrueValues", "Variable",
 }  # fmt: skip
 
 
@@ -58,8 +58,8 @@ def main():
         runner = doctest.DocTestRunner()
         for name, test in examples():
             tested.add(name)
-            if name == NEEDS_PANDAS and pandas is None:
-                print("skipped: ricochet.runs (this Python has no pandas, Debian: python3-pandas)")
+            if name in NEEDS_PANDAS and pandas is None:
+                print(f"skipped: ricochet.{name} (this Python has no pandas, Debian: python3-pandas)")
                 continue
             failed += runner.run(test).failed
         os.chdir("/")

@@ -355,6 +355,9 @@ TEST(Interface, ExportsTheFunctionsThatItsHeaderDeclares) {
       found_in(printed_by("nm --dynamic --defined-only --format=just-symbols " RICOCHET_LIBRARY),
                "(.+)\n"),
       declared);
+  EXPECT_EQ(
+      printed_by("nm --dynamic --defined-only --format=just-symbols " RICOCHET_MINIMISE_LIBRARY),
+      "ricochet_minimise\n");
 }
 
 /// So that it runs where these are not: from a wheel of Python.

@@ -81,6 +81,7 @@ class CallersProblem {
       require(lower <= start && start <= upper,
               fmt::format("start[{}] = {}: must be from {} to {}", i, start, lower, upper));
     }
+    point_ = residuals_at_ = Vector::Constant(from.dimension, missing);
     problem_.constraints = from.constraints;
     problem_.equalities = from.equalities;
     problem_.start_scales = {1};  // whatever the seed, the first start is the caller's
@@ -179,7 +180,8 @@ class CallersProblem {
       ask_residuals(x, residual_jacobian_.data());
       result = {residuals_, residual_jacobian_};
     } else {
-      result = {residual_values(x), Matrix::Zero(residuals_.size(), x.size())};
+      const bool known = residuals_at_ == x;
+      result = {known ? residuals_ : residual_values(x), Matrix::Zero(residuals_.size(), x.size())};
       for (Eigen::Index i = 0; i < x.size(); ++i) {
         const double step = difference_step * (problem_.upper[i] - problem_.lower[i]);
         Vector beside = x;
@@ -189,13 +191,15 @@ class CallersProblem {
         result.jacobian.col(i) = (residuals_ - result.values) / (beside[i] - x[i]);
       }
       move_to(x);
+      residuals_ = result.values;
+      residuals_at_ = x;
     }
     last_.objective = result.values.squaredNorm() / 2;
     return result;
   }
 
   void ask_residuals(const Vector& x, double* jacobian) {
-    point_ = x;  // always read from the same place
+    point_ = residuals_at_ = x;  // always read from the same place
     residuals_.setConstant(missing);
     const std::int32_t code = from_.residuals(&from_, point_.data(), residuals_.data(), jacobian);
     const bool complete = !residuals_.hasNaN() && !(jacobian && residual_jacobian_.hasNaN());
@@ -214,6 +218,7 @@ class CallersProblem {
   Vector point_;  // the last one
   Values last_;   // at that point, as far as they were told
   Vector gradient_, residuals_;
+  Vector residuals_at_;  // the point of the residuals
   Rows jacobian_, residual_jacobian_;
 };
 
@@ -225,8 +230,8 @@ Problem accepted_formulation(const Problem& problem, const Solver& solver) {
   }
   const Capabilities& can = solver.capabilities;
   throw InputError(fmt::format(
-      "{} does not take {}: it takes variables: {}; constraints: {}; it needs: {}", solver.name,
-      problem.name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
+      "{} does not take the problem: variables: {}; constraints: {}; needs: {}", solver.name,
+      can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
 }
 
 std::string ending_of(const RunRecord& record) {
@@ -304,8 +309,7 @@ extern "C" __attribute__((visibility("default"))) std::int32_t ricochet_minimise
   using namespace ricochet::interface;
   const ricochet::DefaultFloatingPoint ours;
   if (!minimisation) return 1;
-  thread_local Texts texts;
-  texts = {};
+  Texts texts;
   std::int32_t code = 0;
   minimisation->objective = minimisation->violation = missing;
   minimisation->evaluations = minimisation->failed = 0;
@@ -322,8 +326,10 @@ extern "C" __attribute__((visibility("default"))) std::int32_t ricochet_minimise
     texts.ended = "an exception that is not a std::exception";
     code = 1;
   }
-  minimisation->chosen = texts.chosen.c_str();
-  minimisation->why = texts.why.c_str();
-  minimisation->ended = texts.ended.c_str();
+  thread_local Texts last;  // a function may have called this one
+  last = std::move(texts);
+  minimisation->chosen = last.chosen.c_str();
+  minimisation->why = last.why.c_str();
+  minimisation->ended = last.ended.c_str();
   return code;
 }

@@ -58,13 +58,16 @@ struct Answer : ricochet_minimisation {
   std::int32_t code = 0;
 };
 
-Answer solved(Own& own, const char* solver, std::int64_t budget = 500, std::int32_t seed = 0) {
+Answer solved(Own& own, const char* solver, std::int64_t budget = 500, std::int32_t seed = 0,
+              std::int64_t gradient_cost = 0, std::int32_t jumps = 0) {
   Answer answer{};
   answer.x.resize(own.low.size());
   answer.abi = RICOCHET_ABI;
   answer.solver = solver;
   answer.budget = budget;
   answer.seed = seed;
+  answer.gradient_cost = gradient_cost;
+  answer.jumps = jumps;
   answer.point = answer.x.data();
   answer.code = ricochet_minimise(&own, &answer);
   return answer;
@@ -110,6 +113,10 @@ TEST(Minimise, TakesConstraintsAndTheirDerivatives) {
     const bool penalised = std::string(solver) == "nlopt-bobyqa";
     EXPECT_NEAR(answer.objective, 3, penalised ? 0.3 : 1e-5) << solver;
     EXPECT_EQ(answer.violation, 0) << solver;
+    if (!own.has_derivatives) {
+      EXPECT_EQ(own.calls, answer.evaluations) << solver;
+    }
+    own.calls = 0;
   }
 }
 
@@ -144,7 +151,8 @@ TEST(Minimise, ChargesAnEvaluationThatFailsAndGoesOn) {
   own.at = [&](const double* x, double* objective, double*) {
     if (x[0] > 1.5) {
       ++failed;
-      return failed % 2 == 0 ? 1 : 0;  // says so, or leaves NaN
+      if (failed % 2 == 0) *objective = -1;  // which does not count
+      return failed % 2 == 0 ? 1 : 0;        // says so, or leaves NaN
     }
     *objective = std::pow(x[0] - 1, 2) + std::pow(x[1] + 2, 2);
     return 0;
@@ -173,6 +181,30 @@ TEST(Minimise, EndsWhenTheFunctionSaysSo) {
   EXPECT_EQ(own.calls, 7);
   EXPECT_STREQ(answer.ended, "stopped by the function");
   EXPECT_LT(answer.objective, 45) << "the best so far is not lost";
+}
+
+TEST(Minimise, ChargesAGradientWhatItIsSaidToCost) {
+  Own own = bowl();
+  own.has_derivatives = 1;
+  own.derivatives = [](ricochet_problem* p, const double* x, double* objective, double*,
+                       double* gradient, double*) {
+    Own& asked = *static_cast<Own*>(p);
+    ++asked.calls;
+    std::copy_n(Numbers{2 * (x[0] - 1), 2 * (x[1] + 2)}.begin(), 2, gradient);
+    return asked.at(x, objective, nullptr);
+  };
+  EXPECT_EQ(solved(own, "nlopt-lbfgs", 300).code, 0);
+  EXPECT_EQ(own.calls, 100) << "as many evaluations as there are variables";
+  own.calls = 0;
+  EXPECT_EQ(solved(own, "nlopt-lbfgs", 300, 0, 1).code, 0);
+  EXPECT_EQ(own.calls, 150);
+}
+
+TEST(Minimise, ChoosesByWhatIsDeclared) {
+  Own own = bowl();
+  const Answer answer = solved(own, "auto", 300, 0, 0, 1);
+  EXPECT_THAT(answer.why, StartsWith("values that jump: "));
+  EXPECT_STREQ(solved(own, "auto", 300).chosen, "nlopt-mlsl-bobyqa");
 }
 
 TEST(Minimise, RepeatsARunOfTheSameSeedToTheBit) {

@@ -200,6 +200,26 @@ class Runs(unittest.TestCase):
         self.assertEqual(found.value, min(found._run.values))
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
+    def test_end_at_the_next_call_if_interrupted_in_between(self):
+        run = ricochet._run.Run(ricochet.Problem(bowl, *BOX))
+        run.interrupted = True
+        run.solve("nlopt-cobyla", run.problem.start, 100, 0)
+        self.assertEqual((run.points, run.ended), ([], "interrupted"))
+
+    def test_do_not_call_the_function_again_for_a_gradient(self):
+        again = [0]
+        for solver in ("nlopt-lbfgs", "nlopt-slsqp", "ceres-lbfgs", "ipopt"):
+            problem = ricochet.Problem(
+                bowl, *BOX, gradient=lambda x: [2 * (x[0] - 1), 2 * (x[1] + 2)]
+            )
+            try:
+                points = ricochet.minimise(problem, solver, 100)._run.points
+            except ricochet.Error as error:
+                self.assertIn("this build has no", str(error))
+                continue
+            again[0] += sum(numpy.array_equal(a, b) for a, b in zip(points, points[1:]))
+        self.assertEqual(again[0], 0)
+
     def test_of_several_threads_keep_apart(self):
         found = {}
 

@@ -34,6 +34,10 @@ for library in ("libricochet.so.3", "libtbb.so.12"):
     assert f"{here / library}\\n" in maps, library + " is not that of the wheel"
 for library in ("libfmt", "libtomlplusplus", "libnlopt", "libceres", "libipopt"):
     assert library not in maps, library
+bowl = ricochet.Problem(lambda x: (x[0] - 2) ** 2, [0], [5])
+print(round(ricochet.minimise(bowl, "nlopt-cobyla").x[0], 6))
+maps = pathlib.Path("/proc/self/maps").read_text()
+assert f"{here / 'libricochet_minimise.so.3'}\\n" in maps
 """
 
 
@@ -66,7 +70,7 @@ with tempfile.TemporaryDirectory() as folder:
         (SOURCE / "examples" / "machine.toml").read_bytes()
     )
     printed = run(python, "-c", USE, cwd=folder)
-    expected = f"[0, 21, 42] 6.311\n[16.0]\n{version} True\n"
+    expected = f"[0, 21, 42] 6.311\n[16.0]\n{version} True\n2.0\n"
     assert printed == expected, printed
     files = run(sys.executable, "-m", "pip", "--python", python, "show", "-f", "ricochet")
     assert "ricochet/libricochet.so.3" in files, files

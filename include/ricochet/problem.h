@@ -147,6 +147,8 @@ struct Problem {
   /// An evaluation may throw, hang or end the process; true_values_at() does not. Patterns choose
   /// such a problem only if they begin with its family's name.
   bool hazardous = false;
+  /// Nothing of the suite was chosen by runs on it. Patterns choose it by its family's name alone.
+  bool held_out = false;
   /// A run is killed after this time [s] if its limit is not shorter; empty: by its limit only.
   std::optional<double> longest_run = {};
   /// What varies from machine to machine, by name, e.g. "restitution".

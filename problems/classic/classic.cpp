@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "problems/classic/formula.h"
 #include "problems/classic/functions.h"
@@ -74,7 +75,8 @@ constexpr double relative_tolerance = 1e-6;
 /// largest are 41,500 and 19,300, elsewhere at most 6,400. The best point of 13 has no multipliers,
 /// so no weight is large enough.
 double penalty_weight(const Problem& problem) {
-  return problem.name == "hs-72" || problem.name == "hs-99" ? 1e5 : 1e4;
+  static const std::set<std::string> steep = {"hs-72", "hs-99"};
+  return steep.contains(problem.name) ? 1e5 : 1e4;
 }
 
 /// How much better than the best value a feasible point can be, to first order: the sum of the
@@ -95,21 +97,24 @@ std::int64_t gradient_cost(const Problem& problem) {
   return 2 * passes - 1;
 }
 
-/// The problems whose names begin with `prefix`, with tolerance, penalty weight and cost.
+/// The problems whose names begin with `prefix`.
 std::vector<Problem> family_of(const std::vector<Problem>& all, const std::string& prefix) {
   std::vector<Problem> problems;
-  for (Problem problem : all) {
-    if (!problem.name.starts_with(prefix)) continue;
-    const double size = std::max(1.0, std::abs(problem.best_known.value()));
-    problem.tolerance = relative_tolerance * size + worth_of_constraint_tolerance(problem);
-    problem.penalty_weight = penalty_weight(problem);
-    problem.gradient_cost = gradient_cost(problem);
-    problems.push_back(std::move(problem));
+  for (const Problem& problem : all) {
+    if (problem.name.starts_with(prefix)) problems.push_back(with_tolerance(problem));
   }
   return problems;
 }
 
 }  // namespace
+
+Problem with_tolerance(Problem problem) {
+  const double size = std::max(1.0, std::abs(problem.best_known.value()));
+  problem.tolerance = relative_tolerance * size + worth_of_constraint_tolerance(problem);
+  problem.penalty_weight = penalty_weight(problem);
+  problem.gradient_cost = gradient_cost(problem);
+  return problem;
+}
 
 std::vector<Family> families() {
   return {{"classic", family_of(classic_problems(), "classic-")},

@@ -47,6 +47,9 @@ inline constexpr const char* published =
     "published (More, Garbow and Hillstrom; optimagic, benchmarking/more_wild.py); "
     "digits by Newton's method";
 
+/// The problem with its tolerance, penalty weight and cost of a gradient.
+Problem with_tolerance(Problem problem);
+
 /// Test functions, constrained test problems, and least squares.
 std::vector<Family> families();
 

@@ -65,8 +65,10 @@ Problem drop_wave() {
 Problem eggholder() {
   return from_formula(
       function("eggholder", 2, -512, 512, -959.64066272085,
-               Vector{{512, 404.23180514},
-               }, "published: -959.6407; digits by Newton's method along the edge"),
+               Vector{
+                   {512, 404.23180514},
+               },
+               "published: -959.6407; digits by Newton's method along the edge"),
       []<class Scalar>(const Point<Scalar>& x) {
         using std::abs;
         using std::sin;
@@ -100,19 +102,19 @@ Problem levy_13() {
 }
 
 Problem shubert() {
-  return from_formula(function("shubert", 2, -10, 10, -186.7309088310239,
-                               Vector{{-7.083506407, 4.858056878}},
-                               "published: -186.7309; digits by Newton's method, one of eighteen"),
-                      []<class Scalar>(const Point<Scalar>& x) {
-                        using std::cos;
-                        Scalar product(1);
-                        for (const Scalar& t : x) {
-                          Scalar sum(0);
-                          for (int i = 1; i <= 5; ++i) sum += double(i) * cos((i + 1.0) * t + double(i));
-                          product *= sum;
-                        }
-                        return product;
-                      });
+  return from_formula(
+      function("shubert", 2, -10, 10, -186.7309088310239, Vector{{-7.083506407, 4.858056878}},
+               "published: -186.7309; digits by Newton's method, one of eighteen"),
+      []<class Scalar>(const Point<Scalar>& x) {
+        using std::cos;
+        Scalar product(1);
+        for (const Scalar& t : x) {
+          Scalar sum(0);
+          for (int i = 1; i <= 5; ++i) sum += double(i) * cos((i + 1.0) * t + double(i));
+          product *= sum;
+        }
+        return product;
+      });
 }
 
 Problem michalewicz() {
@@ -148,9 +150,9 @@ Problem salomon() {
 }
 
 Problem mccormick() {
-  Statement statement = function("mccormick", 2, -1.5, 4, -std::numbers::sqrt3 / 2 - pi / 3,
-                                 Vector{{0.5 - pi / 3, -0.5 - pi / 3}},
-                                 "closed form: both derivatives are 0 there");
+  Statement statement =
+      function("mccormick", 2, -1.5, 4, -std::numbers::sqrt3 / 2 - pi / 3,
+               Vector{{0.5 - pi / 3, -0.5 - pi / 3}}, "closed form: both derivatives are 0 there");
   statement.lower[1] = -3;
   statement.start[1] = -3 + 0.8 * 7;
   return from_formula(statement, []<class Scalar>(const Point<Scalar>& x) {
@@ -201,8 +203,9 @@ Problem hosaki() {
 }  // namespace
 
 std::vector<Problem> global_problems() {
-  return {bohachevsky(), easom(),     drop_wave(), eggholder(),     schaffer_2(), levy_13(), shubert(),
-          michalewicz(), salomon(),   mccormick(), cosine_mixture(), alpine_2(),  hosaki()};
+  return {bohachevsky(),    easom(),    drop_wave(),   eggholder(), schaffer_2(),
+          levy_13(),        shubert(),  michalewicz(), salomon(),   mccormick(),
+          cosine_mixture(), alpine_2(), hosaki()};
 }
 
 }  // namespace ricochet::outside_sets

@@ -10,8 +10,9 @@ namespace {
 using namespace classic;
 using std::numbers::pi;
 
-constexpr const char* collection = "Andrei (2008), An unconstrained optimization test functions "
-                                   "collection, Advanced Modeling and Optimization 10";
+constexpr const char* collection =
+    "Andrei (2008), An unconstrained optimization test functions "
+    "collection, Advanced Modeling and Optimization 10";
 constexpr const char* more = "More, Garbow and Hillstrom (1981), doi 10.1145/355934.355936";
 constexpr const char* no_negative = "closed form: no term is negative";
 
@@ -39,25 +40,27 @@ Scalar square(const Scalar& t) {
 Problem trid() {
   Vector best(10);
   for (Eigen::Index i = 0; i < 10; ++i) best[i] = static_cast<double>((i + 1) * (10 - i));
-  return from_formula(function("trid-10", "Jamil and Yang (2013), doi 10.1504/IJMMNO.2013.055204",
-                               -60, 100, Vector::Constant(10, 68), -210, best,
-                               "closed form: -n (n + 4) (n - 1) / 6"),
-                      []<class Scalar>(const Point<Scalar>& x) {
-                        Scalar sum(0);
-                        for (Eigen::Index i = 0; i < x.size(); ++i) {
-                          sum += square(Scalar(x[i] - 1.0));
-                          if (i > 0) sum -= x[i] * x[i - 1];
-                        }
-                        return sum;
-                      });
+  return from_formula(
+      function("trid-10", "Jamil and Yang (2013), doi 10.1504/IJMMNO.2013.055204", -60, 100,
+               Vector::Constant(10, 68), -210, best, "closed form: -n (n + 4) (n - 1) / 6"),
+      []<class Scalar>(const Point<Scalar>& x) {
+        Scalar sum(0);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+          sum += square(Scalar(x[i] - 1.0));
+          if (i > 0) sum -= x[i] * x[i - 1];
+        }
+        return sum;
+      });
 }
 
 Problem broyden_tridiagonal() {
   return from_formula(
-      function("broyden-tridiagonal-10", more, -10, 10, Vector::Constant(10, -1), 0,
-               Vector{{-0.5707611, -0.6819008, -0.7024944, -0.7062646, -0.7068935, -0.7067902,
-                       -0.7058915, -0.7010533, -0.6659633, -0.5959882}},
-               "closed form: no term is negative, and all are 0 there"),
+      function(
+          "broyden-tridiagonal-10", more, -10, 10, Vector::Constant(10, -1), 0,
+          Vector{{-0.5707221320112248, -0.681806949984275, -0.7022100760176601, -0.7055106298950804,
+                  -0.7049061557287437, -0.7014966070298512, -0.6918893223547983,
+                  -0.6657965144058537, -0.5960351090263657, -0.4164122575286934}},
+          "closed form: no term is negative, and all are 0 there"),
       []<class Scalar>(const Point<Scalar>& x) {
         Scalar sum(0);
         const Eigen::Index n = x.size();
@@ -74,8 +77,8 @@ Problem broyden_tridiagonal() {
 Problem penalty_1() {
   Vector start(10);
   for (Eigen::Index i = 0; i < 10; ++i) start[i] = static_cast<double>(i + 1);
-  return from_formula(function("penalty-1-10", more, -20, 20, start, 7.0876515e-5,
-                               Vector::Constant(10, 0.15812),
+  return from_formula(function("penalty-1-10", more, -20, 20, start, 7.08765146709037e-5,
+                               Vector::Constant(10, 0.15812230111311634),
                                "published: 7.08765e-5; digits by Newton's method"),
                       []<class Scalar>(const Point<Scalar>& x) {
                         Scalar sum = square(Scalar(x.squaredNorm() - 0.25));
@@ -87,34 +90,34 @@ Problem penalty_1() {
 Problem variably_dimensioned() {
   Vector start(10);
   for (Eigen::Index i = 0; i < 10; ++i) start[i] = 1 - static_cast<double>(i + 1) / 10;
-  return from_formula(function("variably-dimensioned-10", more, -10, 10, start, 0, Vector::Ones(10),
-                               no_negative),
-                      []<class Scalar>(const Point<Scalar>& x) {
-                        Scalar sum(0), weighted(0);
-                        for (Eigen::Index i = 0; i < x.size(); ++i) {
-                          sum += square(Scalar(x[i] - 1.0));
-                          weighted += static_cast<double>(i + 1) * (x[i] - 1.0);
-                        }
-                        return Scalar(sum + square(weighted) + square(square(weighted)));
-                      });
+  return from_formula(
+      function("variably-dimensioned-10", more, -10, 10, start, 0, Vector::Ones(10), no_negative),
+      []<class Scalar>(const Point<Scalar>& x) {
+        Scalar sum(0), weighted(0);
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+          sum += square(Scalar(x[i] - 1.0));
+          weighted += static_cast<double>(i + 1) * (x[i] - 1.0);
+        }
+        return Scalar(sum + square(weighted) + square(square(weighted)));
+      });
 }
 
 Problem trigonometric() {
-  return from_formula(function("trigonometric-5", more, -3, 5, Vector::Constant(5, 0.2), 0,
-                               Vector::Zero(5), no_negative),
-                      []<class Scalar>(const Point<Scalar>& x) {
-                        using std::cos;
-                        using std::sin;
-                        const Eigen::Index n = x.size();
-                        Scalar cosines(0), sum(0);
-                        for (const Scalar& t : x) cosines += cos(t);
-                        for (Eigen::Index i = 0; i < n; ++i) {
-                          sum += square(Scalar(static_cast<double>(n) - cosines +
-                                               static_cast<double>(i + 1) * (1.0 - cos(x[i])) -
-                                               sin(x[i])));
-                        }
-                        return sum;
-                      });
+  return from_formula(
+      function("trigonometric-5", more, -3, 5, Vector::Constant(5, 0.2), 0, Vector::Zero(5),
+               no_negative),
+      []<class Scalar>(const Point<Scalar>& x) {
+        using std::cos;
+        using std::sin;
+        const Eigen::Index n = x.size();
+        Scalar cosines(0), sum(0);
+        for (const Scalar& t : x) cosines += cos(t);
+        for (Eigen::Index i = 0; i < n; ++i) {
+          sum += square(Scalar(static_cast<double>(n) - cosines +
+                               static_cast<double>(i + 1) * (1.0 - cos(x[i])) - sin(x[i])));
+        }
+        return sum;
+      });
 }
 
 Problem boundary_value() {
@@ -126,8 +129,10 @@ Problem boundary_value() {
   }
   return from_formula(
       function("boundary-value-10", more, -2, 3, start, 0,
-               Vector{{-0.0431650, -0.0815772, -0.1144857, -0.1409736, -0.1599087, -0.1698772,
-                       -0.1690899, -0.1552495, -0.1253559, -0.0754165}},
+               Vector{{-0.04316498251876487, -0.08157715653538689, -0.11448571438052929,
+                       -0.14097357686259668, -0.1599086961819831, -0.16987720231277492,
+                       -0.16908998378120835, -0.15524953522183182, -0.125355891678935,
+                       -0.07541653368589209}},
                "closed form: no term is negative, and all are 0 there"),
       []<class Scalar>(const Point<Scalar>& x) {
         Scalar sum(0);
@@ -176,7 +181,11 @@ Problem nondia() {
 
 Problem engval_1() {
   return from_formula(
-      function("engval-1-10", collection, -5, 5, Vector::Constant(10, 2), 0, Vector(), "search"),
+      function("engval-1-10", collection, -5, 5, Vector::Constant(10, 2), 9.177469957181389,
+               Vector{{0.9010300773537779, 0.5458806318363335, 0.651211024767828,
+                       0.6240699289748367, 0.631966912896528, 0.6278006754942878,
+                       0.6365631942282387, 0.605290716534446, 0.717030185519927, 0}},
+               "convex; digits by Newton's method"),
       []<class Scalar>(const Point<Scalar>& x) {
         Scalar sum(0);
         for (Eigen::Index i = 0; i + 1 < x.size(); ++i) {
@@ -260,10 +269,13 @@ Problem quartc() {
 }  // namespace
 
 std::vector<Problem> smooth_problems() {
-  return {trid(),           broyden_tridiagonal(), penalty_1(), variably_dimensioned(),
-          trigonometric(),  boundary_value(),      chained_wood(), nondia(),
-          engval_1(),       dqdrtic(),             tridia(),    cosine(),
-          arwhead(),        quartc()};
+  return {trid(),          broyden_tridiagonal(),
+          penalty_1(),     variably_dimensioned(),
+          trigonometric(), boundary_value(),
+          chained_wood(),  nondia(),
+          engval_1(),      dqdrtic(),
+          tridia(),        cosine(),
+          arwhead(),       quartc()};
 }
 
 }  // namespace ricochet::outside_sets

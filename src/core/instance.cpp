@@ -187,7 +187,8 @@ Placement placement_of(const Problem& problem, int number, Random& random) {
 bool is_chosen(const Problem& problem, const std::vector<std::string>& patterns) {
   const std::string family = problem.name.substr(0, problem.name.find('-'));
   return std::ranges::any_of(patterns, [&](const std::string& pattern) {
-    return fits(problem.name, pattern) && (!problem.hazardous || pattern.starts_with(family));
+    const bool by_name_alone = problem.hazardous || problem.held_out;
+    return fits(problem.name, pattern) && (!by_name_alone || pattern.starts_with(family));
   });
 }
 

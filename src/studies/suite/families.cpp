@@ -5,6 +5,7 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/classic/classic.h"
+#include "problems/outside/outside.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "src/studies/paper/loss.h"
@@ -38,6 +39,7 @@ std::vector<Family> suite_families(const std::string& scene_file,
   std::vector<Family> families = all_families();
   families.push_back(carrier_track::calibration_family());
   families.push_back(classic::pathological_family());
+  for (Family& family : outside_sets::families()) families.push_back(std::move(family));
   return families;
 }
 

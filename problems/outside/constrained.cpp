@@ -279,9 +279,9 @@ Problem spring() {
 Problem three_bar_truss() {
   return from_formulas(
       design_of("three-bar-truss", "Ray and Saini (2001), doi 10.1080/03052150108940941",
-                Vector::Constant(2, 0.01), Vector::Ones(2), 263.895843376468,
-                Vector{{0.788675134744, 0.408248290037}},
-                "published: 263.895843; digits by Newton's method"),
+                Vector::Constant(2, 0.01), Vector::Ones(2), 100 * sqrt2 + 50 * std::sqrt(6.0),
+                Vector{{0.5 + std::sqrt(3.0) / 6, 1 / std::sqrt(6.0)}},
+                "closed form; published: 263.895843"),
       []<class Scalar>(const Point<Scalar>& x) {
         return Scalar(100.0 * (2 * sqrt2 * x[0] + x[1]));
       },

@@ -20,6 +20,7 @@ void complete(Problem& problem) {
   problem.held_out = true;
   if (!problem.differentiate) {
     problem.tolerance = tolerance_of_rough * std::max(1.0, std::abs(problem.best_known.value()));
+    problem.gradient_cost = problem.dimension();
     return;
   }
   problem = classic::with_tolerance(std::move(problem));

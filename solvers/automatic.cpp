@@ -14,10 +14,6 @@ namespace {
 /// A gradient costs less than this share of as many values as there are variables.
 constexpr double cheap = 0.75;
 
-/// Evaluations for each variable from which a quasi-Newton method with restarts overtakes a method
-/// that models the residuals.
-constexpr std::int64_t long_budget = 50;
-
 bool takes(const Solver& solver, const Evaluator& of) {
   const Capabilities& can = solver.capabilities;
   const Capabilities::Constraints needed = of.constraints() == 0 ? Capabilities::Constraints::none
@@ -60,14 +56,6 @@ const std::vector<RuleLine>& rule_of_auto() {
        "a population compares values, and does not model them",
        {"pagmo-cmaes-ipop", "mads-tuned"},
        [](const Evaluator& of) { return of.jumps(); }},
-      {"residuals, many evaluations",
-       "residuals with derivatives, no constraints, 50 or more evaluations for each variable",
-       "quasi-Newton steps from one start after the other",
-       {"nlopt-lbfgs"},
-       [](const Evaluator& of) {
-         return of.has_residuals() && has_only_bounds(of) && of.has_derivatives() &&
-                of.budget().evaluations >= long_budget * of.dimension();
-       }},
       {"residuals",
        "residuals, no constraints",
        "a model of each residual learns more from a value than one of their sum",

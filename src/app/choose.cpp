@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "problems/own/own_problem.h"
 #include "ricochet/error.h"
@@ -17,7 +16,6 @@ namespace {
 
 using namespace studies::choice;
 using report::Json;
-namespace fs = std::filesystem;
 
 constexpr std::size_t shown_entries = 5;
 
@@ -33,10 +31,9 @@ std::vector<Evidence> evidence_in(const std::vector<std::string>& stores) {
   for (const std::string& name : stores) {
     const Store store = Store::open(archive_named(name), Store::For::reading);
     FinishedCampaign finished = finished_campaign(store);
-    const fs::path file = fs::absolute(name).lexically_normal();
-    std::string title = name == "archive"                  ? "the reference"
-                        : file.filename() == "runs.sqlite" ? file.parent_path().filename().string()
-                                                           : file.stem().string();
+    std::string title = name == "archive"
+                            ? "the reference"
+                            : "the plan " + plan_from(store.description().plan, name).name;
     all.push_back({std::move(title), std::move(finished.campaign), std::move(finished.results)});
   }
   return all;

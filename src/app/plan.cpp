@@ -10,6 +10,7 @@
 
 #include "embedded/default_plan.h"
 #include "embedded/full_plan.h"
+#include "embedded/outside_plan.h"
 #include "embedded/plan_template.h"
 #include "embedded/quick_plan.h"
 #include "embedded/reference_plan.h"
@@ -139,7 +140,8 @@ Plan read_named_plan(const std::string& name, const PlanByName& included) {
       {"default", embedded::default_plan},
       {"reference", embedded::reference_plan},
       {"studies", embedded::studies_plan},
-      {"full", embedded::full_plan}};
+      {"full", embedded::full_plan},
+      {"outside", embedded::outside_plan}};
   std::vector<std::string> names;
   for (const auto& [known, text] : known_plans) {
     if (name == known) return plan_from(text, name, included);

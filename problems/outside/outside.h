@@ -6,8 +6,8 @@
 #include "ricochet/problem.h"
 
 /// Five families of the literature that are held out: the rule of the solver "auto" was written
-/// before anybody saw a run on them, and is judged by them. Patterns choose them only by name; see
-/// Problem::held_out.
+/// before anybody saw a run on them, and is measured on them. Patterns choose them only by name;
+/// see Problem::held_out.
 namespace ricochet::outside_sets {
 
 /// "outside-global", "outside-smooth", "outside-constrained", "outside-fit" and "outside-rough".

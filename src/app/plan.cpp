@@ -136,12 +136,9 @@ int slurm_script(const PlanOptions& options) {
 /// The plan of this name or file. It may include others, if `included` says how to read those.
 Plan read_named_plan(const std::string& name, const PlanByName& included) {
   const std::vector<std::pair<std::string, const char*>> known_plans = {
-      {"quick", embedded::quick_plan},
-      {"default", embedded::default_plan},
-      {"reference", embedded::reference_plan},
-      {"studies", embedded::studies_plan},
-      {"full", embedded::full_plan},
-      {"outside", embedded::outside_plan}};
+      {"quick", embedded::quick_plan},         {"default", embedded::default_plan},
+      {"reference", embedded::reference_plan}, {"studies", embedded::studies_plan},
+      {"full", embedded::full_plan},           {"outside", embedded::outside_plan}};
   std::vector<std::string> names;
   for (const auto& [known, text] : known_plans) {
     if (name == known) return plan_from(text, name, included);

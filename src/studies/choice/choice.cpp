@@ -197,7 +197,7 @@ std::string finding_of(const Table& settings) {
 /// The families of the first setting: auto, the best entry of each, the best single entry.
 report::Chart families_chart(const Table& families) {
   report::Chart chart{.name = "families",
-                      .title = fmt::format("Share of runs solved, {}", all_settings()[0].title),
+                      .title = fmt::format("Share of the runs that solve, {}", all_settings()[0].title),
                       .x = {.label = "family"},
                       .y = {.label = "solved [%]", .range = report::Range{0, 100}},
                       .width = 800};

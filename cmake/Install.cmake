@@ -96,8 +96,8 @@ add_subdirectory(python)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff TYPE DOC COMPONENT ricochet)
 install(FILES LICENSE TYPE DOC COMPONENT license)  # Debian has it as the file copyright
 install(DIRECTORY docs examples TYPE DOC COMPONENT ricochet PATTERN __pycache__ EXCLUDE)
-install(FILES include/ricochet/ricochet.h DESTINATION ${CMAKE_INSTALL_DOCDIR}/include/ricochet
-        COMPONENT ricochet)
+install(FILES include/ricochet/ricochet.h include/ricochet/minimise.h
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/include/ricochet COMPONENT ricochet)
 install(DIRECTORY reports/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports COMPONENT ricochet
         FILES_MATCHING PATTERN *.md PATTERN *.svg)
 install(DIRECTORY src/studies/simulators/tools/ DESTINATION share/ricochet/simulators COMPONENT ricochet)

@@ -18,15 +18,8 @@ constexpr const char* design =
 
 Statement design_of(const char* name, const char* source, Vector lower, Vector upper, double best,
                     Vector best_point, const char* provenance) {
-  Statement statement;
-  statement.name = name;
-  statement.source = source;
-  statement.lower = std::move(lower);
-  statement.upper = std::move(upper);
-  statement.best_known = best;
-  statement.best_point = std::move(best_point);
-  statement.provenance = provenance;
-  return stated("outside-constrained", statement);
+  return stated("outside-constrained", name, source, std::move(lower), std::move(upper), {}, best,
+                std::move(best_point), provenance);
 }
 
 template <class Scalar>

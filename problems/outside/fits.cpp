@@ -15,16 +15,8 @@ constexpr const char* certified = "certified sum of squares and parameters of NI
 /// The best known objective is half of the certified sum of squares.
 Statement fit(const char* name, const char* source, Vector lower, Vector upper, Vector start,
               double sum_of_squares, Vector best_point, const char* provenance) {
-  Statement statement;
-  statement.name = name;
-  statement.source = source;
-  statement.lower = std::move(lower);
-  statement.upper = std::move(upper);
-  statement.start = std::move(start);
-  statement.best_known = sum_of_squares / 2;
-  statement.best_point = std::move(best_point);
-  statement.provenance = provenance;
-  return stated("outside-fit", statement);
+  return stated("outside-fit", name, source, std::move(lower), std::move(upper), std::move(start),
+                sum_of_squares / 2, std::move(best_point), provenance);
 }
 
 /// The residuals model(parameters, x) - y at each of the data.

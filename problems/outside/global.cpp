@@ -17,16 +17,9 @@ constexpr const char* survey = "Jamil and Yang (2013), doi 10.1504/IJMMNO.2013.0
 /// half, and a run begins at 4/5 of every width, as in the family "classic".
 Statement function(const char* name, Eigen::Index n, double lower, double upper, double best,
                    const Vector& best_point, const char* provenance) {
-  Statement statement;
-  statement.name = name;
-  statement.source = survey;
-  statement.lower = Vector::Constant(n, lower);
-  statement.upper = Vector::Constant(n, upper);
-  statement.start = statement.lower + 0.8 * (statement.upper - statement.lower);
-  statement.best_known = best;
-  statement.best_point = best_point;
-  statement.provenance = provenance;
-  return stated("outside-global", statement);
+  const Vector least = Vector::Constant(n, lower), most = Vector::Constant(n, upper);
+  return stated("outside-global", name, survey, least, most, least + 0.8 * (most - least), best,
+                best_point, provenance);
 }
 
 Problem bohachevsky() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "problems/classic/classic.h"
 
@@ -38,9 +39,18 @@ Family family_of(const char* name, std::vector<Problem> problems) {
 
 }  // namespace
 
-classic::Statement stated(const char* family, classic::Statement statement) {
-  statement.name = std::string(family) + "-" + statement.name;
-  if (statement.start.size() == 0) statement.start = (statement.lower + statement.upper) / 2;
+classic::Statement stated(const char* family, const char* name, const char* source, Vector lower,
+                          Vector upper, Vector start, double best_known, Vector best_point,
+                          const char* provenance) {
+  classic::Statement statement;
+  statement.name = std::string(family) + "-" + name;
+  statement.source = source;
+  statement.start = start.size() == 0 ? Vector((lower + upper) / 2) : std::move(start);
+  statement.lower = std::move(lower);
+  statement.upper = std::move(upper);
+  statement.best_known = best_known;
+  statement.best_point = std::move(best_point);
+  statement.provenance = provenance;
   return statement;
 }
 

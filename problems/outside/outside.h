@@ -24,8 +24,10 @@ std::vector<Problem> fit_problems();
 /// Functions with kinks, values that jump, and simulated systems; without gradients.
 std::vector<Problem> rough_problems();
 
-/// A statement with the family's name before its own, and the middle of the box as start where none
-/// is given.
-classic::Statement stated(const char* family, classic::Statement statement);
+/// A statement whose name begins with the family's. Without a start it begins in the middle of the
+/// box.
+classic::Statement stated(const char* family, const char* name, const char* source, Vector lower,
+                          Vector upper, Vector start, double best_known, Vector best_point,
+                          const char* provenance);
 
 }  // namespace ricochet::outside_sets

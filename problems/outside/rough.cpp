@@ -22,16 +22,9 @@ template <class Function>
 Problem rough(const char* name, const char* source, Vector lower, Vector upper, Vector start,
               double best, Vector best_point, const char* provenance, Function function,
               bool jumps = false) {
-  Statement statement;
-  statement.name = name;
-  statement.source = source;
-  statement.lower = std::move(lower);
-  statement.upper = std::move(upper);
-  statement.start = std::move(start);
-  statement.best_known = best;
-  statement.best_point = std::move(best_point);
-  statement.provenance = provenance;
-  Problem problem = without_functions(stated("outside-rough", statement));
+  Problem problem =
+      without_functions(stated("outside-rough", name, source, std::move(lower), std::move(upper),
+                               std::move(start), best, std::move(best_point), provenance));
   problem.evaluate = [function](const Vector& x) { return Values{function(x), {}}; };
   problem.jumps = jumps;
   return problem;

@@ -20,16 +20,10 @@ constexpr const char* no_negative = "closed form: no term is negative";
 /// the best point is best everywhere.
 Statement function(const char* name, const char* source, double lower, double upper, Vector start,
                    double best, Vector best_point, const char* provenance) {
-  Statement statement;
-  statement.name = name;
-  statement.source = source;
-  statement.lower = Vector::Constant(start.size(), lower);
-  statement.upper = Vector::Constant(start.size(), upper);
-  statement.start = std::move(start);
-  statement.best_known = best;
-  statement.best_point = std::move(best_point);
-  statement.provenance = provenance;
-  return stated("outside-smooth", statement);
+  const Eigen::Index n = start.size();
+  return stated("outside-smooth", name, source, Vector::Constant(n, lower),
+                Vector::Constant(n, upper), std::move(start), best, std::move(best_point),
+                provenance);
 }
 
 template <class Scalar>

@@ -31,10 +31,8 @@ std::vector<Evidence> evidence_in(const std::vector<std::string>& stores) {
   for (const std::string& name : stores) {
     const Store store = Store::open(archive_named(name), Store::For::reading);
     FinishedCampaign finished = finished_campaign(store);
-    std::string title = name == "archive"
-                            ? "the reference"
-                            : "the plan " + plan_from(store.description().plan, name).name;
-    all.push_back({std::move(title), std::move(finished.campaign), std::move(finished.results)});
+    all.push_back({plan_from(store.description().plan, name).name, std::move(finished.campaign),
+                   std::move(finished.results)});
   }
   return all;
 }

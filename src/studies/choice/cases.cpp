@@ -58,7 +58,7 @@ const std::vector<Setting>& all_settings() {
   static const std::vector<Setting> settings = {
       {"gradients at their measured cost", true, true},
       {"gradients at the cost of differences", true, false},
-      {"no derivatives, residuals or surrogates", false, false}};
+      {"values alone", false, false}};
   return settings;
 }
 

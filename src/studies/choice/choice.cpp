@@ -17,8 +17,6 @@ namespace ricochet::studies::choice {
 
 namespace {
 
-constexpr std::size_t shown_entries = 12;
-
 double mean_over_problems(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -73,9 +71,10 @@ std::string solver_in(const std::string& entry) {
   return entry.substr(0, entry.find(','));
 }
 
-/// The tables of a report. Every row names the runs (`runs`) and the setting.
+/// The tables of a report. Every row names the runs (`runs`); lines and families are of the first
+/// setting.
 struct Tables {
-  static Column share(const char* name, const char* title) { return {name, title, ".0%"}; }
+  static Column share(const char* name, const char* title) { return {name, title, ".0%", 3}; }
 
   Table settings{"settings",
                  {{"runs"},
@@ -97,7 +96,6 @@ struct Tables {
                   share("random_search", "random search [%]")}};
   Table lines{"lines",
               {{"runs"},
-               {"setting"},
                {"declared"},
                {"solver"},
                {"problems"},
@@ -107,7 +105,6 @@ struct Tables {
                share("best_share", "its [%]")}};
   Table families{"families",
                  {{"runs"},
-                  {"setting"},
                   {"family"},
                   {"problems"},
                   {"chosen"},
@@ -116,7 +113,6 @@ struct Tables {
                   share("best_share", "its [%]"),
                   share("difference", "auto less that"),
                   share("single", "best single entry [%]")}};
-  Table entries{"entries", {{"runs"}, {"setting"}, {"entry"}, share("share", "solved [%]")}};
 
   void add(const std::string& runs, const Setting& setting, const std::vector<Case>& cases) {
     const std::vector<Standing> order = standings(cases);
@@ -141,23 +137,20 @@ struct Tables {
                  mean_over_families(all, best), mean_over_families(all, difference),
                  of_difference.lower, of_difference.upper, mean_over_families(all, of_problem),
                  random_search == order.end() ? Value() : Value(random_search->mean));
+    if (&setting != all_settings().data()) return;
     for (const RuleLine& line : rule_of_auto()) {
       const std::vector<Case> own =
           only(cases, [&](const Case& each) { return each.line == &line; });
       if (own.empty()) continue;
       const std::vector<Standing> there = standings(own);
-      lines.add(runs, setting.title, line.declared, solver_in(own[0].chosen), own.size(),
-                by_family(own).size(), solved_by_choice(own), there[0].entry, there[0].mean);
+      lines.add(runs, line.declared, solver_in(own[0].chosen), own.size(), by_family(own).size(),
+                solved_by_choice(own), there[0].entry, there[0].mean);
     }
-    for (const auto& [family, places] : by_family(cases))
-      add_family(runs, setting, cases, places, order[0]);
-    for (std::size_t i = 0; i < std::min(shown_entries, order.size()); ++i) {
-      entries.add(runs, setting.title, order[i].entry, order[i].mean);
-    }
+    for (const auto& [family, places] : by_family(cases)) add_family(runs, cases, places, order[0]);
   }
 
  private:
-  void add_family(const std::string& runs, const Setting& setting, const std::vector<Case>& cases,
+  void add_family(const std::string& runs, const std::vector<Case>& cases,
                   const std::vector<std::size_t>& places, const Standing& single) {
     std::vector<Case> own;
     std::set<std::string> chosen;
@@ -169,9 +162,8 @@ struct Tables {
     }
     const Standing best = standings(own).front();
     const double share = solved_by_choice(own);
-    families.add(runs, setting.title, own[0].family, own.size(),
-                 fmt::format("{}", fmt::join(chosen, ", ")), share, best.entry, best.mean,
-                 share - best.mean, of_single);
+    families.add(runs, own[0].family, own.size(), fmt::format("{}", fmt::join(chosen, ", ")), share,
+                 best.entry, best.mean, share - best.mean, of_single);
   }
 };
 
@@ -184,7 +176,8 @@ std::string finding_of(const Table& settings) {
     before = runs;
     const auto percent = [&](const char* name) { return 100 * row.number(name); };
     text += fmt::format(
-        "{}On the problems of {}, {}, auto solves {:.0f} % of the runs [{:.0f}, {:.0f}], mean over "
+        "{}On the problems of the plan {}, {}, auto solves {:.0f} % of the runs [{:.0f}, {:.0f}], "
+        "mean over "
         "{} families; the "
         "best entry of each family {:.0f} %, the best single entry, {}, {:.0f} %.",
         text.empty() ? "" : " ", runs, row.text("setting"), percent("auto"), percent("lower"),
@@ -196,11 +189,12 @@ std::string finding_of(const Table& settings) {
 
 /// The families of the first setting: auto, the best entry of each, the best single entry.
 report::Chart families_chart(const Table& families) {
-  report::Chart chart{.name = "families",
-                      .title = fmt::format("Share of the runs that solve, {}", all_settings()[0].title),
-                      .x = {.label = "family"},
-                      .y = {.label = "solved [%]", .range = report::Range{0, 100}},
-                      .width = 800};
+  report::Chart chart{
+      .name = "families",
+      .title = fmt::format("Share of the runs that solve, {}", all_settings()[0].title),
+      .x = {.label = "family"},
+      .y = {.label = "solved [%]", .range = report::Range{0, 100}},
+      .width = 800};
   constexpr std::array<std::pair<const char*, const char*>, 3> shown = {
       {{"auto", "auto"},
        {"best entry of the family", "best_share"},
@@ -232,18 +226,12 @@ report::Results measured_choices(const std::vector<Evidence>& evidence) {
   }
   report::Results made;
   made.set("finding", finding_of(tables.settings));
-  Table others = where(tables.families, [](const Row& row) {
-    return row.text("setting") != all_settings()[0].title;
-  });
-  others.name = "families-otherwise";
-  tables.families = where(tables.families, "setting", std::string(all_settings()[0].title));
   made.add(families_chart(tables.families));
   Table rule{"rule", {{"declared"}, {"solver"}, {"reason"}}};
   for (const RuleLine& line : rule_of_auto()) {
     rule.add(line.declared, fmt::format("{}", fmt::join(line.solvers, ", else ")), line.reason);
   }
-  for (Table* table :
-       {&rule, &tables.settings, &tables.lines, &tables.families, &others, &tables.entries}) {
+  for (Table* table : {&rule, &tables.settings, &tables.lines, &tables.families}) {
     made.add(std::move(*table));
   }
   return made;

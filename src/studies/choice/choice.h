@@ -9,7 +9,7 @@
 namespace ricochet::studies::choice {
 
 /// The choices of "auto" measured on each of these, in every setting: the tables rule, settings,
-/// lines, families and entries, the chart families, the value finding. Throws InputError if the
+/// lines and families, the chart families, the value finding. Throws InputError if the
 /// rule's choices were run in none of them.
 report::Results measured_choices(const std::vector<Evidence>& evidence);
 

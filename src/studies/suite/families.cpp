@@ -5,7 +5,7 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/carrier_track/suite/machine.h"
 #include "problems/classic/classic.h"
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 #include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 #include "src/studies/paper/loss.h"
@@ -39,7 +39,7 @@ std::vector<Family> suite_families(const std::string& scene_file,
   std::vector<Family> families = all_families();
   families.push_back(carrier_track::calibration_family());
   families.push_back(classic::pathological_family());
-  for (Family& family : outside_sets::families()) families.push_back(std::move(family));
+  for (Family& family : held_out::families()) families.push_back(std::move(family));
   return families;
 }
 

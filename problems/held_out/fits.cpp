@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -273,4 +273,4 @@ std::vector<Problem> fit_problems() {
   return problems;
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -346,4 +346,4 @@ std::vector<Problem> constrained_problems() {
           cantilever(),    pooling()};
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

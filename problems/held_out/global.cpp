@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::vector<Problem> global_problems() {
           cosine_mixture(), alpine_2(), hosaki()};
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

@@ -1,4 +1,4 @@
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "problems/classic/classic.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<Family> families() {
           family_of("outside-fit", fit_problems()), family_of("outside-rough", rough_problems())};
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

@@ -8,7 +8,7 @@
 /// Five families of the literature that are held out: the rule of the solver "auto" was written
 /// before anybody saw a run on them, and is measured on them. Patterns choose them only by name;
 /// see Problem::held_out.
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 /// "outside-global", "outside-smooth", "outside-constrained", "outside-fit" and "outside-rough".
 std::vector<Family> families();
@@ -30,4 +30,4 @@ classic::Statement stated(const char* family, const char* name, const char* sour
                           Vector upper, Vector start, double best_known, Vector best_point,
                           const char* provenance);
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

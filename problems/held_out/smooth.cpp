@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -272,4 +272,4 @@ std::vector<Problem> smooth_problems() {
           arwhead(),       quartc()};
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

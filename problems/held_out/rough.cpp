@@ -4,10 +4,10 @@
 #include <memory>
 #include <numbers>
 
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 #include "ricochet/random.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 
 namespace {
 
@@ -192,4 +192,4 @@ std::vector<Problem> rough_problems() {
   return problems;
 }
 
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

@@ -1,8 +1,8 @@
-#include "problems/outside/outside.h"
+#include "problems/held_out/held_out.h"
 
 #include "tests/problems/classic/claims.h"
 
-namespace ricochet::outside_sets {
+namespace ricochet::held_out {
 namespace {
 
 const std::vector<Problem>& problems() {
@@ -10,7 +10,7 @@ const std::vector<Problem>& problems() {
   return all;
 }
 
-TEST(Outside, IsChosenByItsNameAlone) {
+TEST(HeldOut, IsChosenByItsNameAlone) {
   ASSERT_EQ(families().size(), 5U);
   for (const Family& family : families()) EXPECT_GE(family.problems.size(), 12U) << family.name;
   for (const Problem& problem : problems()) {
@@ -21,7 +21,7 @@ TEST(Outside, IsChosenByItsNameAlone) {
   }
 }
 
-TEST(Outside, HasItsBestValueAtItsBestPoint) {
+TEST(HeldOut, HasItsBestValueAtItsBestPoint) {
   for (const Problem& problem : problems()) {
     SCOPED_TRACE(problem.name);
     const Vector& best = problem.best_point.value();
@@ -41,7 +41,7 @@ TEST(Outside, HasItsBestValueAtItsBestPoint) {
   }
 }
 
-TEST(Outside, HasNoBetterPointInTheBoxOrNearTheBest) {
+TEST(HeldOut, HasNoBetterPointInTheBoxOrNearTheBest) {
   for (const Problem& problem : problems()) {
     SCOPED_TRACE(problem.name);
     Random random(seed_of(problem.name, "points", 0, 0));
@@ -56,7 +56,7 @@ TEST(Outside, HasNoBetterPointInTheBoxOrNearTheBest) {
   }
 }
 
-TEST(Outside, HasTheDerivativesOfDifferences) {
+TEST(HeldOut, HasTheDerivativesOfDifferences) {
   int with_derivatives = 0;
   for (const Problem& problem : problems()) {
     SCOPED_TRACE(problem.name);
@@ -81,7 +81,7 @@ TEST(Outside, HasTheDerivativesOfDifferences) {
   EXPECT_EQ(with_derivatives, 54);
 }
 
-TEST(Outside, PenalisesSoThatTheBestStaysBest) {
+TEST(HeldOut, PenalisesSoThatTheBestStaysBest) {
   for (const Problem& problem : problems()) {
     if (problem.constraints == 0) continue;
     SCOPED_TRACE(problem.name);
@@ -92,7 +92,7 @@ TEST(Outside, PenalisesSoThatTheBestStaysBest) {
 }
 
 // Orders go up to whole levels, so all of them can be tried.
-TEST(Outside, HasTheBestOfAllInventories) {
+TEST(HeldOut, HasTheBestOfAllInventories) {
   const Problem inventory = classic::named(problems(), "outside-rough-inventory");
   double best = infinity;
   for (int reorder = 0; reorder <= 150; ++reorder) {
@@ -105,4 +105,4 @@ TEST(Outside, HasTheBestOfAllInventories) {
 }
 
 }  // namespace
-}  // namespace ricochet::outside_sets
+}  // namespace ricochet::held_out

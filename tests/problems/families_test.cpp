@@ -31,7 +31,8 @@ TEST(Families, HaveDistinctNamesAndSoDoTheirProblems) {
   // Count, top speed, six sizes of two profiles, design and three risks; two large sizes of two
   // machines; and the calibration. Then the hard machines, what the literature has,
   // bowls with defects, and what is held out.
-  EXPECT_EQ(problems.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 2 * 2 + 1 + 15 + 27 + 116 + 53 + 9 + 70);
+  EXPECT_EQ(problems.size(),
+            12U * (1 + 1 + 2 * 6 + 1 + 3) + 2 * 2 + 1 + 15 + 27 + 116 + 53 + 9 + 70);
 }
 
 TEST(Families, HaveClustersOfProblemsThatAreAlike) {

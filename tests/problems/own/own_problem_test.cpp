@@ -363,8 +363,7 @@ TEST_F(OwnProblemTest, RefusesFilesWithPlaceValueAndWhatIsAllowed) {
         "finite"}});
   write_file(folder_ / "p.evaluations", "something else");
   const OwnProblem unkept = read("name = 'p'\n" + program + a);
-  EXPECT_THAT(complaint_of([&] { return unkept.store().failures(); }),
-              HasSubstr("p.evaluations"));
+  EXPECT_THAT(complaint_of([&] { return unkept.store().failures(); }), HasSubstr("p.evaluations"));
 }
 
 TEST(ProblemFiles, HaveEveryKeyInTheirTemplateAndTheirPage) {
